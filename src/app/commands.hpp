@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// @file
+/// The commands of the program, one file each. Each prints to standard output, throws Error, and
+/// returns the code for the shell.
+
+#include <filesystem>
+#include <string>
+
+namespace packbed::app {
+
+struct CheckCommand {
+  std::filesystem::path file;
+  bool json = false;
+};
+int check(const CheckCommand& command);
+
+struct RunCommand {
+  std::filesystem::path file;
+  std::string directory;  ///< empty: as the case says
+  bool overwrite = false;
+  bool json = false;
+};
+int run(const RunCommand& command);
+
+struct ResinsCommand {
+  std::string name;      ///< empty: list all
+  std::string library;   ///< file of the user's own; empty: none
+  bool json = false;
+};
+int resins(const ResinsCommand& command);
+
+struct UnitsCommand {
+  bool json = false;
+};
+int units(const UnitsCommand& command);
+
+}  // namespace packbed::app

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "app/commands.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "core/version.hpp"
+
+namespace packbed::app {
+namespace {
+
+using Action = std::function<int()>;
+
+void add_json(CLI::App& command, bool& json) {
+  command.add_flag("--json", json, "Print figures as JSON: SI, with units in the keys");
+}
+
+void add_run(CLI::App& app, RunCommand& options, Action& action) {
+  auto* command = app.add_subcommand("run", "Run a case");
+  command->add_option("CASE", options.file, "Case file (TOML)")->required();
+  command->add_option("-o,--output", options.directory,
+                      "Folder of the results; by default as the case says, runs/<case>");
+  command->add_flag("--overwrite", options.overwrite, "Replace results of an earlier run");
+  add_json(*command, options.json);
+  command->callback([&] { action = [&] { return run(options); }; });
+}
+
+void add_check(CLI::App& app, CheckCommand& options, Action& action) {
+  auto* command = app.add_subcommand(
+      "check", "Read a case and print it with every default filled in, and its figures");
+  command->add_option("CASE", options.file, "Case file (TOML)")->required();
+  add_json(*command, options.json);
+  command->callback([&] { action = [&] { return check(options); }; });
+}
+
+void add_resins(CLI::App& app, ResinsCommand& options, Action& action) {
+  auto* command =
+      app.add_subcommand("resins", "List the resin library, or show one resin with its sources");
+  command->add_option("NAME", options.name, "Name or alias of a resin");
+  command->add_option("--library", options.library, "A library file of your own, added to ours");
+  add_json(*command, options.json);
+  command->callback([&] { action = [&] { return resins(options); }; });
+}
+
+void add_units(CLI::App& app, UnitsCommand& options, Action& action) {
+  auto* command = app.add_subcommand("units", "Show how quantities with units are written");
+  add_json(*command, options.json);
+  command->callback([&] { action = [&] { return units(options); }; });
+}
+
+int report(const std::string& message, ExitCode code) {
+  fmt::print(stderr, "packbed: {}\n", message);
+  return static_cast<int>(code);
+}
+
+// CLI11 would only say that a command is required.
+void check_command(const CLI::App& app, const std::string& word) {
+  if (word.starts_with('-')) return;
+  std::vector<std::string> names;
+  for (const auto* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(command->get_name());
+  }
+  if (std::ranges::find(names, word) != names.end()) return;
+  const auto near = nearest(word, names);
+  throw ConfigError(fmt::format("\"{}\" is not a command{}; known are {}", word,
+                                near ? fmt::format(", did you mean \"{}\"?", *near) : "",
+                                either_of(names)));
+}
+
+int main(int argc, char** argv) {
+  CLI::App app("packbed simulates packed chromatography columns bead by bead.");
+  app.set_version_flag("--version", fmt::format("packbed {}", version));
+  app.require_subcommand(1);
+  app.footer("Manual: docs/manual. First case: packbed run cases/quickstart.toml");
+  RunCommand run_options;
+  CheckCommand check_options;
+  ResinsCommand resins_options;
+  UnitsCommand units_options;
+  Action action;
+  add_run(app, run_options, action);
+  add_check(app, check_options, action);
+  add_resins(app, resins_options, action);
+  add_units(app, units_options, action);
+  if (argc < 2) {
+    fmt::print("{}", app.help());
+    return static_cast<int>(ExitCode::input);
+  }
+  try {
+    check_command(app, argv[1]);
+    app.parse(argc, argv);
+    return action();
+  } catch (const CLI::CallForVersion& asked) {
+    fmt::print("{}\n", asked.what());
+    return 0;
+  } catch (const CLI::Success& asked) {  // --help
+    return app.exit(asked);
+  } catch (const CLI::ParseError& error) {
+    return report(fmt::format("{}; `packbed --help` lists commands and options", error.what()),
+                  ExitCode::input);
+  } catch (const Error& error) {
+    return report(error.what(), error.exit_code());
+  }
+}
+
+}  // namespace
+}  // namespace packbed::app
+
+int main(int argc, char** argv) { return packbed::app::main(argc, argv); }

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/bead_csv.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/csv.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+
+namespace packbed::io {
+namespace {
+
+const std::vector<std::string> known_columns = {
+    "x_m",    "y_m",      "z_m",      "diameter_m", "vx_m_s",        "vy_m_s",
+    "vz_m_s", "wx_rad_s", "wy_rad_s", "wz_rad_s",   "fixed",         "density_kg_m3",
+    "youngs_modulus_Pa",  "poisson_ratio",          "resin"};
+
+void check_header(const CsvTable& table) {
+  for (const auto& column : table.header()) {
+    if (std::ranges::find(known_columns, column) != known_columns.end()) continue;
+    const auto near = nearest(column, known_columns);
+    throw ConfigError(fmt::format("{}: unknown column \"{}\"{}; known are {}", table.header_place(),
+                                  column, near ? fmt::format(", did you mean \"{}\"?", *near) : "",
+                                  either_of(known_columns)));
+  }
+}
+
+int required(const CsvTable& table, const std::string& name) {
+  const int column = table.find(name);
+  if (column < 0) {
+    throw ConfigError(fmt::format("{}: column \"{}\" is missing; a bead file needs "
+                                  "x_m,y_m,z_m,diameter_m",
+                                  table.header_place(), name));
+  }
+  return column;
+}
+
+/// One optional column, checked by `accepts`.
+template <class Accepts>
+std::vector<double> numbers(const CsvTable& table, const std::string& name, Accepts accepts,
+                            const char* accepted) {
+  std::vector<double> values;
+  const int column = table.find(name);
+  if (column < 0) return values;
+  values.reserve(table.rows());
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const double value = table.number(row, column);
+    if (!accepts(value)) {
+      throw ConfigError(fmt::format("{}: {} = {} {}", table.place(row), name,
+                                    table.text(row, column), accepted));
+    }
+    values.push_back(value);
+  }
+  return values;
+}
+
+std::vector<std::array<double, 3>> vectors(const CsvTable& table,
+                                           const std::array<std::string, 3>& names) {
+  std::vector<std::array<double, 3>> values(table.rows(), {0.0, 0.0, 0.0});
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int column = table.find(names[axis]);
+    if (column < 0) continue;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      values[row][axis] = table.number(row, column);
+    }
+  }
+  return values;
+}
+
+}  // namespace
+
+BeadTable read_bead_csv(const std::filesystem::path& file) {
+  const CsvTable table(file);
+  check_header(table);
+  for (const auto* name : {"x_m", "y_m", "z_m", "diameter_m"}) required(table, name);
+  const auto positive = [](double value) { return value > 0.0; };
+
+  BeadTable beads;
+  beads.x = vectors(table, {"x_m", "y_m", "z_m"});
+  beads.v = vectors(table, {"vx_m_s", "vy_m_s", "vz_m_s"});
+  beads.omega = vectors(table, {"wx_rad_s", "wy_rad_s", "wz_rad_s"});
+  beads.diameter = numbers(table, "diameter_m", positive, "must be positive");
+  beads.density = numbers(table, "density_kg_m3", positive, "must be positive");
+  beads.youngs_modulus = numbers(table, "youngs_modulus_Pa", positive, "must be positive");
+  beads.poisson_ratio = numbers(
+      table, "poisson_ratio", [](double nu) { return nu > -1.0 && nu <= 0.5; },
+      "is outside (-1, 0.5]");
+  const auto fixed = numbers(
+      table, "fixed", [](double flag) { return flag == 0.0 || flag == 1.0; }, "must be 0 or 1");
+  for (const double flag : fixed) beads.fixed.push_back(flag == 1.0);
+  if (const int column = table.find("resin"); column >= 0) {
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      beads.resin.push_back(table.text(row, column));
+    }
+  }
+  return beads;
+}
+
+}  // namespace packbed::io

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// @file
+/// Beads from and to CSV files: header `x_m,y_m,z_m,diameter_m` and, where wanted, velocity, spin,
+/// `fixed`, material and resin of each bead (docs/manual/bead-files.md).
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace packbed::io {
+
+/// Columns of a bead file. SI units. Optional columns are empty or have one value per bead.
+struct BeadTable {
+  std::vector<std::array<double, 3>> x;      ///< center [m]
+  std::vector<double> diameter;              ///< of the bead as simulated [m]
+  std::vector<std::array<double, 3>> v;      ///< velocity [m/s]; zero where not given
+  std::vector<std::array<double, 3>> omega;  ///< spin [rad/s]; zero where not given
+  std::vector<bool> fixed;                   ///< optional
+  std::vector<double> density;               ///< optional [kg/m3]
+  std::vector<double> youngs_modulus;        ///< optional [Pa]
+  std::vector<double> poisson_ratio;         ///< optional
+  std::vector<std::string> resin;            ///< optional, names of the library
+
+  [[nodiscard]] std::size_t size() const { return diameter.size(); }
+  bool operator==(const BeadTable&) const = default;
+};
+
+/// Throws DataError if the file cannot be read; ConfigError naming line, column and value for a
+/// missing or unknown column, a value that is not a finite number, or one out of range.
+BeadTable read_bead_csv(const std::filesystem::path& file);
+
+}  // namespace packbed::io

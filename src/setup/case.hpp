@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// @file
+/// A case as the program uses it: every value checked, filled in and in SI. Keys and meaning are
+/// in docs/manual/case-file.md; one struct per section of the file.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "io/bead_csv.hpp"
+#include "mesh/column_shape.hpp"
+#include "resin/size_distribution.hpp"
+#include "setup/echo.hpp"
+
+namespace packbed::setup {
+
+struct Material {
+  double youngs_modulus;  ///< [Pa]
+  double poisson_ratio;
+  bool operator==(const Material&) const = default;
+};
+
+struct ColumnOptions {
+  mesh::ColumnShape shape;
+  Material wall;  ///< of the tube, or of all walls of a box
+  Material frit;  ///< of both ends
+  bool operator==(const ColumnOptions&) const = default;
+};
+
+enum class ContactLawName { hooke, hertz };
+enum class RollingLawName { none, cdt, epsd };
+
+struct ResinOptions {
+  std::string name;                    ///< of the library, or the user's own
+  std::optional<resin::SizeDistribution> sizes;  ///< of real beads; none if a bead file has them
+  // Properties of beads. Those that a bead file gives for each bead may be absent here.
+  std::optional<double> density;         ///< wet [kg/m3]
+  std::optional<double> youngs_modulus;  ///< of the contact law chosen [Pa]
+  std::optional<double> poisson_ratio;
+  double restitution = 0.0;
+  double friction = 0.0;  ///< bead on bead, Coulomb
+  double wall_friction = 0.0;
+  double rolling_friction = 0.0;
+  ContactLawName contact = ContactLawName::hooke;
+  std::optional<double> characteristic_velocity;  ///< of the Hooke law, thesis eq. 4.21 [m/s]
+  RollingLawName rolling = RollingLawName::epsd;
+  bool tension = false;       ///< whether the damped normal force may pull
+  double coarse_grain = 1.0;  ///< diameter of a grain / diameter of a bead
+  bool operator==(const ResinOptions&) const = default;
+};
+
+struct LiquidOptions {
+  std::string name;
+  double density;                     ///< [kg/m3]
+  double viscosity;                   ///< [Pa s]
+  std::optional<double> temperature;  ///< [K]; none where density and viscosity were given
+  bool operator==(const LiquidOptions&) const = default;
+};
+
+struct BeadOptions {
+  std::optional<std::filesystem::path> csv;
+  io::BeadTable table;                ///< of `csv`; empty otherwise
+  std::optional<std::int64_t> count;  ///< grains to make, where a number is asked for
+  bool operator==(const BeadOptions&) const = default;
+};
+
+// --- protocol
+
+struct Run {
+  double duration;  ///< [s]
+  bool operator==(const Run&) const = default;
+};
+
+struct Settle {
+  std::optional<double> bed_height;  ///< to reach [m]; none if the number of beads is given
+  std::optional<double> friction;    ///< bead on bead, for the settling alone
+  std::optional<double> porosity;    ///< to reach
+  bool operator==(const Settle&) const = default;
+};
+
+enum class FlowChange { jump, ramp };
+
+struct FlowRamp {
+  double from;                 ///< superficial velocity [m/s]
+  double to;                   ///< superficial velocity [m/s]
+  std::int64_t steps;
+  std::optional<double> hold;  ///< at each step [s]; none: until steady
+  double hold_limit;           ///< longest hold until steady [s]
+  FlowChange change;           ///< within a step
+  bool operator==(const FlowRamp&) const = default;
+};
+
+struct Hold {
+  double duration;             ///< [s]
+  std::optional<double> flow;  ///< superficial velocity [m/s]; none: as it is
+  bool operator==(const Hold&) const = default;
+};
+
+/// Where a compression ends.
+enum class CompressTarget { height, compression, compression_factor, force };
+
+struct Compress {
+  double speed;           ///< of the plunger [m/s]
+  CompressTarget target;
+  double value;           ///< of the target: m, -, -, N
+  bool operator==(const Compress&) const = default;
+};
+
+struct ProtocolStep;
+
+struct Repeat {
+  std::int64_t count;
+  std::vector<ProtocolStep> steps;
+  bool operator==(const Repeat&) const;
+};
+
+struct ProtocolStep {
+  std::variant<Run, Settle, FlowRamp, Hold, Compress, Repeat> what;
+  bool operator==(const ProtocolStep&) const = default;
+};
+
+inline bool Repeat::operator==(const Repeat&) const = default;
+
+// --- numerics and output
+
+struct NumericsOptions {
+  std::optional<double> step;           ///< of the beads [s]; none: computed
+  std::optional<double> inertia_scale;  ///< none: chosen by the program
+  std::uint64_t seed;
+  bool gravity;
+  bool operator==(const NumericsOptions&) const = default;
+};
+
+struct OutputOptions {
+  std::string directory;  ///< as given; runs/<name of the case> by default
+  double interval;        ///< simulated time between rows of series.csv [s]
+  bool beads_csv;         ///< also write frames/beads_N.csv
+  bool operator==(const OutputOptions&) const = default;
+};
+
+struct Case {
+  std::filesystem::path file;
+  std::string title;
+  ColumnOptions column;
+  ResinOptions resin;
+  std::optional<LiquidOptions> liquid;  ///< none: dry
+  BeadOptions beads;
+  std::vector<ProtocolStep> protocol;
+  NumericsOptions numerics;
+  OutputOptions output;
+  Echo echo;
+};
+
+}  // namespace packbed::setup

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "setup/case_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "continuum/packed_bed.hpp"
+
+namespace packbed::setup {
+namespace {
+
+constexpr double gravity = 9.81;  // m/s2, thesis table B.1
+
+// Layout of the bead loop (design of the bead mechanics): per bead 64 B position and velocity,
+// 32 B spin and radius, 64 B forces, 32 B reference position, 16 B id and key; 4.1 contacts of
+// 72 B in a packed bed; lists of 6 neighbors of 4 B.
+constexpr double bytes_per_bead = 64 + 32 + 64 + 32 + 16 + 4.1 * 72 + 6 * 4;
+
+double sphere(double diameter) { return std::numbers::pi / 6.0 * std::pow(diameter, 3); }
+
+void collect(const std::vector<ProtocolStep>& steps, std::optional<Settle>& first_settle,
+             double& highest_velocity) {
+  for (const auto& step : steps) {
+    if (const auto* settle = std::get_if<Settle>(&step.what)) {
+      if (!first_settle) first_settle = *settle;
+    } else if (const auto* ramp = std::get_if<FlowRamp>(&step.what)) {
+      highest_velocity = std::max({highest_velocity, std::abs(ramp->from), std::abs(ramp->to)});
+    } else if (const auto* hold = std::get_if<Hold>(&step.what)) {
+      highest_velocity = std::max(highest_velocity, std::abs(hold->flow.value_or(0.0)));
+    } else if (const auto* repeat = std::get_if<Repeat>(&step.what)) {
+      collect(repeat->steps, first_settle, highest_velocity);
+    }
+  }
+}
+
+resin::SizeDistribution sizes_of(const Case& c) {
+  if (c.resin.sizes) return *c.resin.sizes;
+  return resin::Measured::from(c.beads.table.diameter);
+}
+
+double mass_of_file(const Case& c) {
+  const auto& table = c.beads.table;
+  double mass = 0.0;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const double density = table.density.empty() ? *c.resin.density : table.density[i];
+    mass += density * sphere(table.diameter[i]);
+  }
+  return mass;
+}
+
+FlowFigures flow_figures(const Case& c, const BedFigures& bed, double d32, double velocity) {
+  const auto& liquid = *c.liquid;
+  const double gradient =
+      continuum::kozeny_carman_gradient(bed.porosity, d32, liquid.viscosity, velocity);
+  return {.highest_velocity = velocity,
+          .reynolds = continuum::bed_reynolds(liquid.density, velocity, d32, liquid.viscosity,
+                                              bed.porosity),
+          .stokes =
+              continuum::flow_stokes(c.resin.density.value_or(0.0), d32, liquid.viscosity, velocity),
+          .pressure_gradient = gradient,
+          .pressure_drop = gradient * bed.height};
+}
+
+}  // namespace
+
+CaseFigures figures(const Case& c) {
+  std::optional<Settle> settle;
+  double velocity = 0.0;
+  collect(c.protocol, settle, velocity);
+
+  CaseFigures f{};
+  f.sizes = resin::statistics(sizes_of(c));
+  const double grain = c.beads.csv ? 1.0 : c.resin.coarse_grain;
+  f.largest_grain = grain * f.sizes.largest;
+  const double grain_volume = sphere(grain * f.sizes.volume_mean);
+  const double area = mesh::cross_section(c.column.shape);
+
+  if (settle) {
+    f.bed = BedFigures{.height = settle->bed_height.value_or(0.0),
+                       .porosity = settle->porosity.value_or(assumed_porosity),
+                       .porosity_is_set = settle->porosity.has_value()};
+  }
+  if (c.beads.csv) {
+    f.bead_count = static_cast<double>(c.beads.table.size());
+  } else if (c.beads.count) {
+    f.bead_count = static_cast<double>(*c.beads.count);
+  } else if (f.bed) {
+    f.bead_count = std::round((1.0 - f.bed->porosity) * area * f.bed->height / grain_volume);
+  }
+  f.bead_volume = f.bead_count * grain_volume;
+  f.bead_mass = c.beads.csv ? mass_of_file(c) : f.bead_volume * c.resin.density.value_or(0.0);
+  f.real_bead_count = f.bead_count * std::pow(c.resin.coarse_grain, 3);
+  if (f.bed && f.bed->height == 0.0) {
+    f.bed->height = f.bead_volume / ((1.0 - f.bed->porosity) * area);
+  }
+  if (c.liquid) f.submerged_weight = (f.bead_mass - c.liquid->density * f.bead_volume) * gravity;
+  if (c.liquid && f.bed && velocity > 0.0) {
+    f.flow = flow_figures(c, *f.bed, f.sizes.sauter, velocity);
+  }
+  f.memory = f.bead_count * bytes_per_bead;
+  return f;
+}
+
+}  // namespace packbed::setup

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// @file
+/// What can be said of a case before it is run. Estimates; a run reports what it measured.
+
+#include <cstdint>
+#include <optional>
+
+#include "resin/size_statistics.hpp"
+#include "setup/case.hpp"
+
+namespace packbed::setup {
+
+struct FlowFigures {
+  double highest_velocity;   ///< superficial, of all steps [m/s]
+  double reynolds;           ///< thesis eq. 3.55, with the Sauter diameter
+  double stokes;             ///< thesis eq. 8.1, with the Sauter diameter
+  double pressure_gradient;  ///< Kozeny-Carman, uncompressed bed [Pa/m]
+  double pressure_drop;      ///< over the bed height [Pa]
+};
+
+struct BedFigures {
+  double height;         ///< [m]
+  double porosity;
+  bool porosity_is_set;  ///< by a settle step; assumed otherwise
+};
+
+struct CaseFigures {
+  resin::SizeStatistics sizes;       ///< of real beads (of the grains, where a bead file has them)
+  double largest_grain;              ///< coarse_grain included [m]
+  std::optional<BedFigures> bed;     ///< where a settle step says how high it will be
+  double bead_count;                 ///< grains of the simulation
+  double real_bead_count;            ///< beads that they stand for
+  double bead_mass;                  ///< of all beads, wet [kg]
+  double bead_volume;                ///< of all beads [m3]
+  std::optional<double> submerged_weight;  ///< weight less buoyancy [N]; none when dry
+  std::optional<FlowFigures> flow;         ///< where there is a bed, a liquid and a flow
+  double memory;                     ///< of beads and contacts [B]
+};
+
+/// Settled porosity where the case does not say: what the thesis's friction (0.1, rolling 0.35)
+/// settles to in a bead simulation, 0.40-0.41.
+inline constexpr double assumed_porosity = 0.40;
+
+CaseFigures figures(const Case& c);
+
+}  // namespace packbed::setup

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "setup/echo.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include "core/text.hpp"
+
+namespace packbed::setup {
+namespace {
+
+std::string comment(const EchoEntry& entry) {
+  std::string text;
+  if (entry.dimension && *entry.dimension != Dimension::fraction) {
+    for (const double value : entry.si) {
+      text += fmt::format("{}{}", text.empty() ? "" : ", ", shortest(value));
+    }
+    text += fmt::format(" {}", info(*entry.dimension).si_unit);
+  }
+  if (!entry.origin.empty()) text += (text.empty() ? "" : "; ") + entry.origin;
+  return text;
+}
+
+}  // namespace
+
+std::string toml_string(const std::string& text) {
+  std::ostringstream stream;
+  const toml::value<std::string> value(text);
+  stream << toml::toml_formatter(value, toml::format_flags::none);
+  return stream.str();
+}
+
+std::string to_toml(const Echo& echo) {
+  std::string text;
+  for (const auto& table : echo) {
+    if (!table.header.empty()) text += fmt::format("{}{}\n", text.empty() ? "" : "\n", table.header);
+    std::vector<std::string> lines;
+    std::size_t width = 0;
+    for (const auto& entry : table.entries) {
+      lines.push_back(fmt::format("{} = {}", entry.key, entry.toml));
+      width = std::max(width, std::min<std::size_t>(lines.back().size(), 40));
+    }
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const auto note = comment(table.entries[i]);
+      text += note.empty() ? lines[i] + "\n" : fmt::format("{:<{}}  # {}\n", lines[i], width, note);
+    }
+  }
+  return text;
+}
+
+}  // namespace packbed::setup

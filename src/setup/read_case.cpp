@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "setup/read_case.hpp"
+
+#include <utility>
+
+#include "core/file.hpp"
+#include "setup/read_sections.hpp"
+#include "setup/resin_file.hpp"
+
+namespace packbed::setup {
+namespace {
+
+// Beads come from one place: a file, a number, or the bed height of the first settling.
+void check_beads(Section& top, const Case& c) {
+  const bool counted = c.beads.csv || c.beads.count;
+  for (const auto& step : c.protocol) {
+    const auto* settle = std::get_if<Settle>(&step.what);
+    if (settle == nullptr) continue;
+    if (counted && settle->bed_height) {
+      top.fail_missing("protocol", "has bed_height in a settle step, but [beads] already says how "
+                                   "many beads there are; give one of them");
+    }
+    if (!counted && !settle->bed_height) {
+      top.fail_missing("protocol", "has a settle step without bed_height, and [beads] has neither "
+                                   "csv nor count; give one of them");
+    }
+  }
+}
+
+Case read_tables(const toml::table& table, Reading& reading) {
+  Case c;
+  Section top(reading, table, "", "");
+  for (const auto* key : {"title", "column", "resin", "liquid", "beads", "protocol", "numerics",
+                          "output"}) {
+    top.mention(key);
+  }
+  top.finish();  // before anything else: a misspelt section would look like a missing one
+  c.title = top.word("title", Fallback{reading.file.stem().string()});
+  if (!top.has("column")) {
+    top.fail_missing("[column]", "is missing; a case has at least [column] and [resin]");
+  }
+  c.column = read_column(top.table("column"));
+  c.beads = read_beads(top.table("beads"), c.column);
+  c.resin = read_resin(top.table("resin"), reading.units, builtin_library(reading.units), c.beads,
+                       c.column);
+  if (top.has("liquid")) c.liquid = read_liquid(top.table("liquid"));
+  c.protocol = read_protocol(top.tables("protocol"), c.column, c.liquid.has_value());
+  c.numerics = read_numerics(top.table("numerics"));
+  c.output = read_output(top.table("output"), reading.file);
+  check_beads(top, c);
+  return c;
+}
+
+}  // namespace
+
+Case read_case_text(std::string_view text, const std::filesystem::path& file,
+                    const UnitSystem& units) {
+  const auto table = parse_toml(text, file);
+  Reading reading{units, file, {}};
+  auto c = read_tables(table, reading);
+  c.file = file;
+  c.echo = std::move(reading.echo);
+  return c;
+}
+
+Case read_case(const std::filesystem::path& file, const UnitSystem& units) {
+  return read_case_text(read_text_file(file), file, units);
+}
+
+}  // namespace packbed::setup

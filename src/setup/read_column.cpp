@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "setup/read_sections.hpp"
+
+namespace packbed::setup {
+namespace {
+
+mesh::Slice read_slice(Section& section) {
+  section.refuse("size", "does not apply to shape = \"slice\"; give inner_diameter, slice_depth "
+                         "and height");
+  section.refuse("boundaries", "does not apply to shape = \"slice\"; x has walls, y is periodic");
+  return {.inner_diameter =
+              section.quantity("inner_diameter", Dimension::length, bounds::positive),
+          .depth = section.quantity("slice_depth", Dimension::length, bounds::positive),
+          .height = section.quantity("height", Dimension::length, bounds::positive)};
+}
+
+mesh::Cylinder read_cylinder(Section& section) {
+  section.refuse("size", "does not apply to shape = \"cylinder\"; give inner_diameter and height");
+  section.refuse("boundaries", "does not apply to shape = \"cylinder\"");
+  section.refuse("slice_depth", "does not apply to shape = \"cylinder\"");
+  return {.inner_diameter =
+              section.quantity("inner_diameter", Dimension::length, bounds::positive),
+          .height = section.quantity("height", Dimension::length, bounds::positive)};
+}
+
+mesh::Box read_box(Section& section) {
+  for (const auto* key : {"inner_diameter", "slice_depth", "height"}) {
+    section.refuse(key, "does not apply to shape = \"box\"; give size = [x, y, z]");
+  }
+  mesh::Box box{};
+  box.size = section.three_quantities("size", Dimension::length, bounds::positive);
+  auto sides = section.table("boundaries");
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    constexpr std::array<std::string_view, 3> names = {"x", "y", "z"};
+    box.boundaries[axis] = static_cast<mesh::Boundary>(
+        sides.choice(names[axis], {"periodic", "wall", "open"}, Fallback{"wall"}));
+  }
+  sides.finish();
+  return box;
+}
+
+// Stiffer than any bead: thesis table B.2.
+Material read_material(Section section) {
+  const Fallback modulus{"10 GPa", "default: thesis table B.2"};
+  const Fallback poisson{"0.5", "default: thesis table B.2"};
+  const Material material{
+      .youngs_modulus =
+          section.quantity("youngs_modulus", Dimension::pressure, bounds::positive, modulus),
+      .poisson_ratio = section.quantity("poisson_ratio", Dimension::fraction,
+                                        bounds::poisson_ratio, poisson)};
+  section.finish();
+  return material;
+}
+
+mesh::ColumnShape read_shape(Section& section) {
+  switch (section.choice("shape", {"slice", "cylinder", "box"})) {
+    case 0: return read_slice(section);
+    case 1: return read_cylinder(section);
+    default: return read_box(section);
+  }
+}
+
+}  // namespace
+
+ColumnOptions read_column(Section section) {
+  ColumnOptions column{.shape = read_shape(section), .wall = {}, .frit = {}};
+  column.wall = read_material(section.table("wall"));
+  column.frit = read_material(section.table("frit"));
+  section.finish();
+  return column;
+}
+
+}  // namespace packbed::setup

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <utility>
+
+#include "setup/read_sections.hpp"
+
+namespace packbed::setup {
+namespace {
+
+struct Context {
+  const ColumnOptions& column;
+  bool has_liquid;
+};
+
+ProtocolStep read_step(Section section, const Context& context);
+
+Run read_run(Section& section) {
+  return {.duration = section.quantity("duration", Dimension::time, bounds::not_negative)};
+}
+
+Settle read_settle(Section& section, const Context& context) {
+  Settle settle;
+  settle.bed_height = section.optional_quantity("bed_height", Dimension::length, bounds::positive);
+  if (settle.bed_height && *settle.bed_height > mesh::height(context.column.shape)) {
+    section.fail("bed_height", "is above the height of the column");
+  }
+  settle.friction =
+      section.optional_quantity("friction", Dimension::fraction, bounds::not_negative);
+  settle.porosity =
+      section.optional_quantity("porosity", Dimension::fraction, bounds::between_0_and_1);
+  if (settle.friction && settle.porosity) {
+    section.fail("porosity", "does not go with friction; the friction follows from the porosity");
+  }
+  return settle;
+}
+
+FlowRamp read_flow_ramp(Section& section, const Context& context) {
+  FlowRamp ramp{};
+  if (!context.has_liquid) section.fail("step", "needs a [liquid] section");
+  const double area = mesh::flow_cross_section(context.column.shape);
+  ramp.from = section.flow("from", area, Fallback{"0 cm/h"});
+  ramp.to = section.flow("to", area);
+  ramp.steps = section.integer("steps", 1, Fallback{"1"});
+  ramp.hold = section.quantity_or_word("hold", Dimension::time, bounds::positive, "until steady",
+                                       Fallback{"until steady"});
+  if (ramp.hold) {
+    section.refuse("hold_limit", "applies only to hold = \"until steady\"");
+    ramp.hold_limit = *ramp.hold;
+  } else {
+    ramp.hold_limit =
+        section.quantity("hold_limit", Dimension::time, bounds::positive, Fallback{"5 s"});
+  }
+  ramp.change =
+      static_cast<FlowChange>(section.choice("change", {"jump", "ramp"}, Fallback{"ramp"}));
+  return ramp;
+}
+
+Hold read_hold(Section& section, const Context& context) {
+  if (!context.has_liquid && section.has("flow")) section.fail("flow", "needs a [liquid] section");
+  return {.duration = section.quantity("duration", Dimension::time, bounds::not_negative),
+          .flow = section.optional_flow("flow", mesh::flow_cross_section(context.column.shape))};
+}
+
+Compress read_compress(Section& section, const Context& context) {
+  Compress compress{};
+  compress.speed = section.quantity("speed", Dimension::velocity, bounds::positive);
+  constexpr Bounds above_1{.low = 1.0, .refusal = "must be above 1"};
+  const struct {
+    std::string_view key;
+    Dimension dimension;
+    Bounds bounds;
+  } targets[] = {{"height", Dimension::length, bounds::positive},
+                 {"compression", Dimension::fraction, bounds::between_0_and_1},
+                 {"compression_factor", Dimension::fraction, above_1},
+                 {"force", Dimension::force, bounds::positive}};
+  int found = 0;
+  for (std::size_t i = 0; i < std::size(targets); ++i) {
+    const auto& target = targets[i];
+    const auto value = section.optional_quantity(target.key, target.dimension, target.bounds);
+    if (!value) continue;
+    if (++found > 1) section.fail(target.key, "is one target too many; give one");
+    compress.target = static_cast<CompressTarget>(i);
+    compress.value = *value;
+  }
+  if (found == 0) {
+    section.fail("step", "needs a target: height, compression, compression_factor or force");
+  }
+  if (compress.target == CompressTarget::height &&
+      compress.value > mesh::height(context.column.shape)) {
+    section.fail("height", "is above the height of the column");
+  }
+  return compress;
+}
+
+Repeat read_repeat(Section& section, const Context& context) {
+  Repeat repeat{.count = section.integer("count", 1), .steps = {}};
+  for (auto& step : section.tables("steps")) repeat.steps.push_back(read_step(step, context));
+  if (repeat.steps.empty()) section.fail("step", "needs steps; write [[protocol.steps]] below it");
+  return repeat;
+}
+
+ProtocolStep read_step(Section section, const Context& context) {
+  const auto kind =
+      section.choice("step", {"run", "settle", "flow_ramp", "hold", "compress", "repeat"});
+  ProtocolStep step{Run{}};
+  switch (kind) {
+    case 0: step.what = read_run(section); break;
+    case 1: step.what = read_settle(section, context); break;
+    case 2: step.what = read_flow_ramp(section, context); break;
+    case 3: step.what = read_hold(section, context); break;
+    case 4: step.what = read_compress(section, context); break;
+    default: step.what = read_repeat(section, context); break;
+  }
+  section.finish();
+  return step;
+}
+
+}  // namespace
+
+std::vector<ProtocolStep> read_protocol(std::vector<Section> sections,
+                                        const ColumnOptions& column, bool has_liquid) {
+  std::vector<ProtocolStep> protocol;
+  for (auto& section : sections) {
+    protocol.push_back(read_step(std::move(section), {column, has_liquid}));
+  }
+  return protocol;
+}
+
+}  // namespace packbed::setup

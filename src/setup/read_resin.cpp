@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "resin/size_statistics.hpp"
+#include "setup/read_sections.hpp"
+#include "setup/read_sizes.hpp"
+#include "setup/resin_file.hpp"
+
+namespace packbed::setup {
+namespace {
+
+const resin::Resin& find_resin(const Section& section, const resin::Library& library,
+                               const std::string& name) {
+  if (const auto* resin = library.find(name)) return *resin;
+  const auto names = library.names();
+  const auto near = nearest(name, names);
+  section.fail("name", fmt::format("is not in the library{}; `packbed resins` lists it. For beads "
+                                   "of your own leave name out, or name a library of yours",
+                                   near ? fmt::format(", did you mean \"{}\"?", *near) : ""));
+}
+
+/// Reads the keys of one resin, with what the library knows of it as defaults.
+class ResinReader {
+ public:
+  ResinReader(Section& section, const resin::Resin* resin) : section_(section), resin_(resin) {}
+
+  /// From the case, else the library, else `otherwise`; refused if there is none of them.
+  double needed(std::string_view key, Dimension dimension, const Bounds& bounds,
+                std::string_view library_key, const std::optional<Fallback>& otherwise = {}) {
+    const auto fallback = default_of(library_key, otherwise);
+    if (!section_.has(key) && !fallback && resin_ != nullptr) {
+      section_.fail_missing(key, missing_in_library(library_key, dimension));
+    }
+    return section_.quantity(key, dimension, bounds, fallback);
+  }
+
+  /// The same, but absent if there is none and the beads of a file each have their own.
+  std::optional<double> unless_per_bead(std::string_view key, Dimension dimension,
+                                        const Bounds& bounds, std::string_view library_key,
+                                        bool each_bead_has_it) {
+    const bool known = section_.has(key) || default_of(library_key, {});
+    if (!known && each_bead_has_it) {
+      section_.mention(key);
+      return std::nullopt;
+    }
+    return needed(key, dimension, bounds, library_key);
+  }
+
+ private:
+  [[nodiscard]] std::optional<Fallback> default_of(std::string_view library_key,
+                                                   const std::optional<Fallback>& otherwise) const {
+    if (const auto* p = resin_ == nullptr ? nullptr : resin_->find(library_key)) {
+      return Fallback{p->text, library_origin(*p)};
+    }
+    return otherwise;
+  }
+
+  [[nodiscard]] std::string missing_in_library(std::string_view library_key,
+                                               Dimension dimension) const {
+    std::string hint;
+    const auto* relaxed = resin_->find("youngs_modulus_relaxed");
+    if (library_key == "youngs_modulus_linear" && relaxed != nullptr) {
+      hint = fmt::format(", or use contact = \"hertz\" with the relaxed modulus {}", relaxed->text);
+    }
+    return fmt::format("is missing: the library has no {} for \"{}\"; give a {} such as \"{}\"{}",
+                       library_key, resin_->name, info(dimension).name, info(dimension).example,
+                       hint);
+  }
+
+  Section& section_;
+  const resin::Resin* resin_;
+};
+
+void read_contact(Section& section, ResinReader& reader, const BeadOptions& beads,
+                  ResinOptions& options) {
+  const Fallback thesis_friction{"0.1", "default: value of CM Sepharose 6FF, thesis table 8.4"};
+  const Fallback thesis_rolling{"0.35", "default: value of CM Sepharose 6FF, thesis table 8.4"};
+  options.contact =
+      static_cast<ContactLawName>(section.choice("contact", {"hooke", "hertz"}, Fallback{"hooke"}));
+  const bool hooke = options.contact == ContactLawName::hooke;
+  options.youngs_modulus = reader.unless_per_bead(
+      "youngs_modulus", Dimension::pressure, bounds::positive,
+      hooke ? "youngs_modulus_linear" : "youngs_modulus_relaxed",
+      !beads.table.youngs_modulus.empty());
+  if (hooke) {
+    options.characteristic_velocity =
+        reader.needed("characteristic_velocity", Dimension::velocity, bounds::positive,
+                      "characteristic_velocity", Fallback{"0.1 m/s", "default: thesis table 8.4"});
+  } else {
+    section.refuse("characteristic_velocity", "belongs to contact = \"hooke\"");
+  }
+  options.poisson_ratio =
+      reader.unless_per_bead("poisson_ratio", Dimension::fraction, bounds::poisson_ratio,
+                             "poisson_ratio", !beads.table.poisson_ratio.empty());
+  options.restitution = reader.needed("restitution", Dimension::fraction, bounds::restitution,
+                                      "restitution", Fallback{"0.5", "default: thesis table B.2"});
+  options.tension = section.boolean("tension", false);
+  options.friction = reader.needed("friction", Dimension::fraction, bounds::not_negative,
+                                   "friction", thesis_friction);
+  options.wall_friction = reader.needed("wall_friction", Dimension::fraction, bounds::not_negative,
+                                        "wall_friction", thesis_friction);
+  options.rolling = static_cast<RollingLawName>(
+      section.choice("rolling", {"none", "cdt", "epsd"}, Fallback{"epsd"}));
+  options.rolling_friction = reader.needed("rolling_friction", Dimension::fraction,
+                                           bounds::not_negative, "rolling_friction",
+                                           thesis_rolling);
+}
+
+/// The largest grain must not meet itself across a periodic side, and must fit between walls.
+void check_fit(const Section& section, const ColumnOptions& column, double largest_grain) {
+  const auto refuse = [&](std::string_view what, double size) {
+    section.fail_here(fmt::format("has grains up to {:.4g} um (coarse_grain included), but {} is "
+                                  "only {:.4g} um; make it wider or the grains smaller",
+                                  largest_grain * 1e6, what, size * 1e6));
+  };
+  if (const auto* slice = std::get_if<mesh::Slice>(&column.shape)) {
+    if (slice->depth < largest_grain) refuse("column.slice_depth", slice->depth);
+    if (slice->inner_diameter < largest_grain) {
+      refuse("column.inner_diameter", slice->inner_diameter);
+    }
+  } else if (const auto* cylinder = std::get_if<mesh::Cylinder>(&column.shape)) {
+    if (cylinder->inner_diameter < largest_grain) {
+      refuse("column.inner_diameter", cylinder->inner_diameter);
+    }
+  } else {
+    const auto& box = std::get<mesh::Box>(column.shape);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const bool bounded = box.boundaries[axis] != mesh::Boundary::open;
+      if (bounded && box.size[axis] < largest_grain) {
+        refuse(fmt::format("column.size[{}]", axis + 1), box.size[axis]);
+      }
+    }
+  }
+}
+
+void check_resins_of_beads(const resin::Library& library, const BeadOptions& beads) {
+  for (std::size_t i = 0; i < beads.table.resin.size(); ++i) {
+    const auto& name = beads.table.resin[i];
+    if (library.find(name) != nullptr) continue;
+    throw ConfigError(fmt::format("{}: resin = \"{}\" of bead {} is not in the library; `packbed "
+                                  "resins` lists it",
+                                  beads.csv->string(), name, i + 1));
+  }
+}
+
+}  // namespace
+
+ResinOptions read_resin(Section section, const UnitSystem& units, resin::Library library,
+                        const BeadOptions& beads, const ColumnOptions& column) {
+  ResinOptions options;
+  const auto name = section.optional_word("name");
+  if (const auto own = section.optional_file("library")) library.add(read_library(*own, units));
+  const resin::Resin* resin = name ? &find_resin(section, library, *name) : nullptr;
+  options.name = name.value_or("");
+  check_resins_of_beads(library, beads);
+
+  ResinReader reader(section, resin);
+  options.density = reader.unless_per_bead("density", Dimension::density, bounds::positive,
+                                           "density", !beads.table.density.empty());
+  options.coarse_grain = section.quantity("coarse_grain", Dimension::fraction, bounds::at_least_1,
+                                          Fallback{"1"});
+  read_contact(section, reader, beads, options);
+  if (beads.csv) {
+    section.refuse("sizes", "does not go with beads.csv, which has the diameters");
+    const auto& diameters = beads.table.diameter;
+    check_fit(section, column, *std::ranges::max_element(diameters));
+  } else {
+    options.sizes = read_sizes(section.table("sizes"), units, resin);
+    check_fit(section, column, options.coarse_grain * resin::largest(*options.sizes));
+  }
+  section.finish();
+  return options;
+}
+
+}  // namespace packbed::setup

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// @file
+/// One reader per section of a case file. Each refuses what it does not know; what they throw is
+/// described at read_case.
+
+#include "resin/resin.hpp"
+#include "setup/case.hpp"
+#include "setup/section.hpp"
+
+namespace packbed::setup {
+
+ColumnOptions read_column(Section section);
+BeadOptions read_beads(Section section, const ColumnOptions& column);
+/// `library` has the resins that the program comes with; the case may add its own.
+ResinOptions read_resin(Section section, const UnitSystem& units, resin::Library library,
+                        const BeadOptions& beads, const ColumnOptions& column);
+LiquidOptions read_liquid(Section section);
+/// `has_liquid`: whether steps with a flow are possible.
+std::vector<ProtocolStep> read_protocol(std::vector<Section> sections,
+                                        const ColumnOptions& column, bool has_liquid);
+NumericsOptions read_numerics(Section section);
+OutputOptions read_output(Section section, const std::filesystem::path& case_file);
+
+}  // namespace packbed::setup
