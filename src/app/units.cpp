@@ -35,12 +35,14 @@ int units(const UnitsCommand& command) {
   nlohmann::ordered_json root = nlohmann::ordered_json::object();
   for (const auto& [dimension, texts] : examples) {
     const auto& d = info(dimension);
-    if (!command.json) fmt::print("{}, SI unit {}\n", d.name, d.si_unit);
+    if (!command.json) fmt::print("{}\n", d.name);
     for (const auto& text : texts) {
       const double si = system.to_si(text, dimension);
       const std::string key = d.suffix.empty() ? "value" : fmt::format("value_{}", d.suffix);
       root[std::string(d.name)].push_back({{"text", text}, {key, si}});
-      if (!command.json) fmt::print("  {:<14} = {} {}\n", text, shortest(si), d.si_unit);
+      if (!command.json) {
+        fmt::print("  {:<14} = {} {}\n", text, shortest(si), d.si_unit == "1" ? "" : d.si_unit);
+      }
     }
   }
   if (command.json) fmt::print("{}\n", root.dump(2));

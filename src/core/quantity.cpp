@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <locale.h>  // NOLINT(modernize-deprecated-headers): uselocale is POSIX
 #include <udunits2.h>
 
 #include "core/error.hpp"
@@ -43,6 +44,24 @@ struct ConverterDeleter {
 };
 using Unit = std::unique_ptr<ut_unit, UnitDeleter>;
 using Converter = std::unique_ptr<cv_converter, ConverterDeleter>;
+
+// UDUNITS reads numbers in the locale of the process: a decimal comma would break its database.
+class PlainNumbers {
+ public:
+  PlainNumbers() : plain_(newlocale(LC_ALL_MASK, "C", nullptr)), before_(uselocale(plain_)) {}
+  ~PlainNumbers() {
+    uselocale(before_);
+    freelocale(plain_);
+  }
+  PlainNumbers(const PlainNumbers&) = delete;
+  PlainNumbers& operator=(const PlainNumbers&) = delete;
+  PlainNumbers(PlainNumbers&&) = delete;
+  PlainNumbers& operator=(PlainNumbers&&) = delete;
+
+ private:
+  locale_t plain_;
+  locale_t before_;
+};
 
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
@@ -124,6 +143,7 @@ NumberWithUnit split_quantity(std::string_view text) {
 class UnitSystem::Database {
  public:
   Database() {
+    const PlainNumbers guard;
     ut_set_error_message_handler(ut_ignore);
     ut_status status{};
     if (const char* path = ut_get_path_xml(nullptr, &status); path != nullptr) path_ = path;
@@ -140,6 +160,7 @@ class UnitSystem::Database {
 
   /// Null if the unit is not known.
   [[nodiscard]] Unit parse(const std::string& unit) const {
+    const PlainNumbers guard;
     return Unit(ut_parse(system_.get(), unit.c_str(), UT_UTF8));
   }
 

@@ -46,7 +46,7 @@ void check_range(double minimum, double maximum) {
 void check_share(double share) {
   if (!(share >= least_share)) {
     throw ValueError(fmt::format(
-        "only {:.1e} of the distribution lies between minimum and maximum", share));
+        "a share of only {:.1e} of the distribution lies between minimum and maximum", share));
   }
 }
 

@@ -49,15 +49,14 @@ double mass_of_file(const Case& c) {
   return mass;
 }
 
-FlowFigures flow_figures(const Case& c, const BedFigures& bed, double d32, double velocity) {
-  const auto& liquid = *c.liquid;
+FlowFigures flow_figures(const LiquidOptions& liquid, const BedFigures& bed, double rho_p,
+                         double d32, double velocity) {
   const double gradient =
       continuum::kozeny_carman_gradient(bed.porosity, d32, liquid.viscosity, velocity);
   return {.highest_velocity = velocity,
           .reynolds = continuum::bed_reynolds(liquid.density, velocity, d32, liquid.viscosity,
                                               bed.porosity),
-          .stokes =
-              continuum::flow_stokes(c.resin.density.value_or(0.0), d32, liquid.viscosity, velocity),
+          .stokes = continuum::flow_stokes(rho_p, d32, liquid.viscosity, velocity),
           .pressure_gradient = gradient,
           .pressure_drop = gradient * bed.height};
 }
@@ -95,8 +94,8 @@ CaseFigures figures(const Case& c) {
     f.bed->height = f.bead_volume / ((1.0 - f.bed->porosity) * area);
   }
   if (c.liquid) f.submerged_weight = (f.bead_mass - c.liquid->density * f.bead_volume) * gravity;
-  if (c.liquid && f.bed && velocity > 0.0) {
-    f.flow = flow_figures(c, *f.bed, f.sizes.sauter, velocity);
+  if (c.liquid && f.bed && velocity > 0.0 && f.bead_volume > 0.0) {
+    f.flow = flow_figures(*c.liquid, *f.bed, f.bead_mass / f.bead_volume, f.sizes.sauter, velocity);
   }
   f.memory = f.bead_count * bytes_per_bead;
   return f;

@@ -8,20 +8,21 @@ namespace packbed::setup {
 
 BeadOptions read_beads(Section section, const ColumnOptions& column) {
   BeadOptions beads;
-  beads.csv = section.optional_file("csv");
-  if (beads.csv && section.has("count")) section.fail("count", "does not go with beads.csv");
+  const auto file = section.optional_file("csv");
+  if (file && section.has("count")) section.fail("count", "does not go with beads.csv");
   beads.count = section.optional_integer("count", 0);
   section.finish();
-  if (!beads.csv) return beads;
+  if (!file) return beads;
 
-  beads.table = io::read_bead_csv(*beads.csv);
+  beads.csv = std::filesystem::absolute(*file);
+  beads.table = io::read_bead_csv(*file);
   for (std::size_t i = 0; i < beads.table.size(); ++i) {
     const auto& x = beads.table.x[i];
     if (!mesh::contains(column.shape, x)) {
       throw ConfigError(fmt::format(
           "{}: bead {} at ({}, {}, {}) m has its center outside the column; z counts from the "
           "lower end, x and y from the axis of a slice or cylinder, from a corner of a box",
-          beads.csv->string(), i + 1, x[0], x[1], x[2]));
+          file->string(), i + 1, x[0], x[1], x[2]));
     }
   }
   return beads;

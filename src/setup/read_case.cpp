@@ -10,23 +10,6 @@
 namespace packbed::setup {
 namespace {
 
-// Beads come from one place: a file, a number, or the bed height of the first settling.
-void check_beads(Section& top, const Case& c) {
-  const bool counted = c.beads.csv || c.beads.count;
-  for (const auto& step : c.protocol) {
-    const auto* settle = std::get_if<Settle>(&step.what);
-    if (settle == nullptr) continue;
-    if (counted && settle->bed_height) {
-      top.fail_missing("protocol", "has bed_height in a settle step, but [beads] already says how "
-                                   "many beads there are; give one of them");
-    }
-    if (!counted && !settle->bed_height) {
-      top.fail_missing("protocol", "has a settle step without bed_height, and [beads] has neither "
-                                   "csv nor count; give one of them");
-    }
-  }
-}
-
 Case read_tables(const toml::table& table, Reading& reading) {
   Case c;
   Section top(reading, table, "", "");
@@ -44,10 +27,9 @@ Case read_tables(const toml::table& table, Reading& reading) {
   c.resin = read_resin(top.table("resin"), reading.units, builtin_library(reading.units), c.beads,
                        c.column);
   if (top.has("liquid")) c.liquid = read_liquid(top.table("liquid"));
-  c.protocol = read_protocol(top.tables("protocol"), c.column, c.liquid.has_value());
+  c.protocol = read_protocol(top.tables("protocol"), c.column, c.beads, c.liquid.has_value());
   c.numerics = read_numerics(top.table("numerics"));
   c.output = read_output(top.table("output"), reading.file);
-  check_beads(top, c);
   return c;
 }
 

@@ -6,19 +6,30 @@
 namespace packbed::setup {
 namespace {
 
+/// What the steps read so far leave to the next one.
 struct Context {
   const ColumnOptions& column;
   bool has_liquid;
+  bool beads_are_counted;  ///< by [beads] or an earlier settling
 };
 
-ProtocolStep read_step(Section section, const Context& context);
+ProtocolStep read_step(Section section, Context& context);
 
 Run read_run(Section& section) {
   return {.duration = section.quantity("duration", Dimension::time, bounds::not_negative)};
 }
 
-Settle read_settle(Section& section, const Context& context) {
+Settle read_settle(Section& section, Context& context) {
   Settle settle;
+  if (context.beads_are_counted && section.has("bed_height")) {
+    section.fail("bed_height", "is one too many: [beads] or an earlier settle step already says "
+                               "how many beads there are");
+  }
+  if (!context.beads_are_counted && !section.has("bed_height")) {
+    section.fail_missing("bed_height", "is missing; give it, or [beads] csv or count, so that the "
+                                       "number of beads is known");
+  }
+  context.beads_are_counted = true;
   settle.bed_height = section.optional_quantity("bed_height", Dimension::length, bounds::positive);
   if (settle.bed_height && *settle.bed_height > mesh::height(context.column.shape)) {
     section.fail("bed_height", "is above the height of the column");
@@ -33,7 +44,7 @@ Settle read_settle(Section& section, const Context& context) {
   return settle;
 }
 
-FlowRamp read_flow_ramp(Section& section, const Context& context) {
+FlowRamp read_flow_ramp(Section& section, Context& context) {
   FlowRamp ramp{};
   if (!context.has_liquid) section.fail("step", "needs a [liquid] section");
   const double area = mesh::flow_cross_section(context.column.shape);
@@ -54,13 +65,13 @@ FlowRamp read_flow_ramp(Section& section, const Context& context) {
   return ramp;
 }
 
-Hold read_hold(Section& section, const Context& context) {
+Hold read_hold(Section& section, Context& context) {
   if (!context.has_liquid && section.has("flow")) section.fail("flow", "needs a [liquid] section");
   return {.duration = section.quantity("duration", Dimension::time, bounds::not_negative),
           .flow = section.optional_flow("flow", mesh::flow_cross_section(context.column.shape))};
 }
 
-Compress read_compress(Section& section, const Context& context) {
+Compress read_compress(Section& section, Context& context) {
   Compress compress{};
   compress.speed = section.quantity("speed", Dimension::velocity, bounds::positive);
   constexpr Bounds above_1{.low = 1.0, .refusal = "must be above 1"};
@@ -91,14 +102,14 @@ Compress read_compress(Section& section, const Context& context) {
   return compress;
 }
 
-Repeat read_repeat(Section& section, const Context& context) {
+Repeat read_repeat(Section& section, Context& context) {
   Repeat repeat{.count = section.integer("count", 1), .steps = {}};
   for (auto& step : section.tables("steps")) repeat.steps.push_back(read_step(step, context));
   if (repeat.steps.empty()) section.fail("step", "needs steps; write [[protocol.steps]] below it");
   return repeat;
 }
 
-ProtocolStep read_step(Section section, const Context& context) {
+ProtocolStep read_step(Section section, Context& context) {
   const auto kind =
       section.choice("step", {"run", "settle", "flow_ramp", "hold", "compress", "repeat"});
   ProtocolStep step{Run{}};
@@ -116,12 +127,13 @@ ProtocolStep read_step(Section section, const Context& context) {
 
 }  // namespace
 
-std::vector<ProtocolStep> read_protocol(std::vector<Section> sections,
-                                        const ColumnOptions& column, bool has_liquid) {
+std::vector<ProtocolStep> read_protocol(std::vector<Section> sections, const ColumnOptions& column,
+                                        const BeadOptions& beads, bool has_liquid) {
+  Context context{.column = column,
+                  .has_liquid = has_liquid,
+                  .beads_are_counted = beads.csv || beads.count};
   std::vector<ProtocolStep> protocol;
-  for (auto& section : sections) {
-    protocol.push_back(read_step(std::move(section), {column, has_liquid}));
-  }
+  for (auto& section : sections) protocol.push_back(read_step(std::move(section), context));
   return protocol;
 }
 

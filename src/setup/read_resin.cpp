@@ -67,9 +67,8 @@ class ResinReader {
     if (library_key == "youngs_modulus_linear" && relaxed != nullptr) {
       hint = fmt::format(", or use contact = \"hertz\" with the relaxed modulus {}", relaxed->text);
     }
-    return fmt::format("is missing: the library has no {} for \"{}\"; give a {} such as \"{}\"{}",
-                       library_key, resin_->name, info(dimension).name, info(dimension).example,
-                       hint);
+    return fmt::format("is missing: the library has no {} for \"{}\"; {}{}", library_key,
+                       resin_->name, such_as(library_key, dimension), hint);
   }
 
   Section& section_;

@@ -17,9 +17,10 @@ BeadOptions read_beads(Section section, const ColumnOptions& column);
 ResinOptions read_resin(Section section, const UnitSystem& units, resin::Library library,
                         const BeadOptions& beads, const ColumnOptions& column);
 LiquidOptions read_liquid(Section section);
-/// `has_liquid`: whether steps with a flow are possible.
-std::vector<ProtocolStep> read_protocol(std::vector<Section> sections,
-                                        const ColumnOptions& column, bool has_liquid);
+/// Steps with a flow need `has_liquid`. The number of beads comes from [beads] or from the bed
+/// height of the first settling, never from both.
+std::vector<ProtocolStep> read_protocol(std::vector<Section> sections, const ColumnOptions& column,
+                                        const BeadOptions& beads, bool has_liquid);
 NumericsOptions read_numerics(Section section);
 OutputOptions read_output(Section section, const std::filesystem::path& case_file);
 

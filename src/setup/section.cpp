@@ -14,29 +14,75 @@
 namespace packbed::setup {
 namespace {
 
+// A value as a user would write it.
 std::string as_text(const toml::node& node) {
+  if (const auto* text = node.as_string()) return toml_string(text->get());
+  if (const auto* number = node.as_floating_point()) return shortest(number->get());
   std::ostringstream stream;
+  std::vector<std::string> items;
+  if (const auto* array = node.as_array()) {
+    for (const auto& item : *array) items.push_back(as_text(item));
+    return fmt::format("[{}]", fmt::join(items, ", "));
+  }
+  if (const auto* table = node.as_table()) {
+    for (const auto& [key, item] : *table) {
+      items.push_back(fmt::format("{} = {}", std::string(key.str()), as_text(item)));
+    }
+    return fmt::format("{{ {} }}", fmt::join(items, ", "));
+  }
   node.visit([&](const auto& value) { stream << value; });
   return stream.str();
 }
 
-std::string such_as(Dimension dimension) {
-  const auto& d = info(dimension);
-  return fmt::format("give a {} such as \"{}\"", d.name, d.example);
+struct Expected {
+  std::string_view name;
+  std::string_view example;
+};
+
+// What to ask for: the dimension's own example suits beads, not columns and moduli.
+Expected expected(std::string_view key, Dimension dimension) {
+  const auto has = [&](std::string_view part) { return key.find(part) != std::string_view::npos; };
+  if (dimension == Dimension::pressure && has("modulus")) return {"modulus", "30 MPa"};
+  const bool of_column = has("height") || has("inner") || has("depth") || has("size");
+  if (dimension == Dimension::length && of_column) return {"length", "9.6 mm"};
+  return {info(dimension).name, info(dimension).example};
 }
 
 std::string list_text(const std::vector<std::string>& items) {
-  return fmt::format("[ {} ]", fmt::join(items, ", "));
+  return fmt::format("[{}]", fmt::join(items, ", "));
+}
+
+// What the TOML parser found, in words for those who never met it.
+std::string plain(const std::string& description) {
+  if (description.find("control characters") != std::string::npos) {
+    return "a text is not closed by a quote in its line";
+  }
+  if (description.find("cannot redefine existing") != std::string::npos) {
+    return fmt::format("{} is given twice", description.substr(description.find('\'')));
+  }
+  return "not TOML: " + description;
+}
+
+// Line of a text, counted from 1.
+std::string_view line_of(std::string_view text, std::size_t number) {
+  for (; number > 1; --number) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  return trimmed(text.substr(0, text.find('\n')));
 }
 
 }  // namespace
+
+std::string such_as(std::string_view key, Dimension dimension) {
+  const auto [name, example] = expected(key, dimension);
+  return fmt::format("give a {} such as \"{}\"", name, example);
+}
 
 toml::table parse_toml(std::string_view text, const std::filesystem::path& file) {
   try {
     return toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {
-    throw ConfigError(fmt::format("{}:{}: {}", file.string(), error.source().begin.line,
-                                  std::string(error.description())));
+    const auto line = error.source().begin.line;
+    throw ConfigError(fmt::format("{}:{}: {}; the line is: {}", file.string(), line,
+                                  plain(std::string(error.description())), line_of(text, line)));
   }
 }
 
@@ -131,7 +177,7 @@ double Section::convert(std::string_view key, const std::string& text, Dimension
   try {
     value = reading_->units.to_si(text, dimension);
   } catch (const ValueError& error) {
-    fail(key, fmt::format("is refused: {}; {}", error.what(), such_as(dimension)));
+    fail(key, fmt::format("is refused: {}; {}", error.what(), such_as(key, dimension)));
   }
   if (!bounds.contains(value)) fail(key, bounds.refusal);
   return value;
@@ -152,16 +198,16 @@ std::optional<std::string> Section::quantity_text(std::string_view key, Dimensio
     return shortest(value);
   }
   if (is_number) {
-    fail(key, fmt::format("has no unit; {}", such_as(dimension)));
+    fail(key, fmt::format("has no unit; {}", such_as(key, dimension)));
   }
-  fail(key, fmt::format("is not a quantity; {}", such_as(dimension)));
+  fail(key, fmt::format("is not a quantity; {}", such_as(key, dimension)));
 }
 
 double Section::quantity(std::string_view key, Dimension dimension, const Bounds& bounds,
                          const std::optional<Fallback>& fallback) {
   const bool given = has(key);
   const auto text = quantity_text(key, dimension, fallback);
-  if (!text) fail_missing(key, fmt::format("is missing; {}", such_as(dimension)));
+  if (!text) fail_missing(key, fmt::format("is missing; {}", such_as(key, dimension)));
   const double value = convert(key, *text, dimension, bounds);
   last_text_ = *text;
   const bool bare = dimension == Dimension::fraction && to_number(*text).has_value();
@@ -182,9 +228,9 @@ std::optional<double> Section::optional_quantity(std::string_view key, Dimension
 
 std::array<double, 3> Section::three_quantities(std::string_view key, Dimension dimension,
                                                 const Bounds& bounds) {
-  const auto& d = info(dimension);
-  const auto wanted = fmt::format("give three {0}s such as [\"{1}\", \"{1}\", \"{1}\"]", d.name,
-                                  d.example);
+  const auto [name, example] = expected(key, dimension);
+  const auto wanted =
+      fmt::format("give three {0}s such as [\"{1}\", \"{1}\", \"{1}\"]", name, example);
   const auto* node = find(key);
   if (node == nullptr) fail_missing(key, fmt::format("is missing; {}", wanted));
   const auto* array = node->as_array();
@@ -265,7 +311,7 @@ std::int64_t Section::integer(std::string_view key, std::int64_t low,
   }
   if (!node->is_integer()) fail(key, "is not a whole number");
   const auto value = node->as_integer()->get();
-  if (value < low) fail(key, fmt::format("is below {}", low));
+  if (value < low) fail(key, fmt::format("must be at least {}", low));
   note({.key = std::string(key),
         .toml = fmt::format("{}", value),
         .si = {static_cast<double>(value)}},
@@ -337,16 +383,14 @@ std::optional<std::filesystem::path> Section::optional_file(std::string_view key
   const auto* node = find(key);
   if (node == nullptr) return std::nullopt;
   if (!node->is_string()) fail(key, "is refused; give the name of a file in quotes");
-  const auto path = std::filesystem::absolute(reading_->file).parent_path() /
-                    std::filesystem::path(node->as_string()->get());
+  const auto path = (reading_->file.parent_path() / node->as_string()->get()).lexically_normal();
   if (!std::filesystem::is_regular_file(path)) {
-    fail(key, fmt::format("is not a file: there is no {}; names are taken from the folder of the "
+    fail(key, fmt::format("is refused: there is no file {}; names are taken from the folder of the "
                           "case file",
-                          path.lexically_normal().string()));
+                          path.string()));
   }
-  const auto full_path = path.lexically_normal();
-  note_word(key, full_path.string(), true, {});
-  return full_path;
+  note_word(key, std::filesystem::absolute(path).string(), true, {});
+  return path;
 }
 
 // --- tables inside

@@ -47,10 +47,10 @@ inline constexpr Bounds restitution{
     .low = 0.0,
     .high = 1.0,
     .high_belongs = true,
-    .refusal = "is outside (0, 1]; a bead cannot rebound faster than it came"};
+    .refusal = "is outside (0, 1]; 1 is a bead that rebounds as fast as it came"};
 inline constexpr Bounds poisson_ratio{
     .low = -1.0, .high = 0.5, .high_belongs = true, .refusal = "is outside (-1, 0.5]"};
-inline constexpr Bounds at_least_1{.low = 1.0, .low_belongs = true, .refusal = "is below 1"};
+inline constexpr Bounds at_least_1{.low = 1.0, .low_belongs = true, .refusal = "must be at least 1"};
 }  // namespace bounds
 
 /// What a key is if the user leaves it out.
@@ -101,7 +101,8 @@ class Section {
   /// Position of the word among `names`, the only ones accepted.
   std::size_t choice(std::string_view key, std::initializer_list<std::string_view> names,
                      const std::optional<Fallback>& fallback = {});
-  /// A file that exists, taken from the folder of the case; the echo has its full path.
+  /// A file that exists, taken from the folder of the case, as messages should name it; the echo
+  /// has its full path.
   std::optional<std::filesystem::path> optional_file(std::string_view key);
 
   /// All keys that the table has.
@@ -151,6 +152,9 @@ class Section {
   std::vector<std::string> known_;
   std::string last_text_;
 };
+
+/// "give a length such as "90 um"", for messages about a key.
+std::string such_as(std::string_view key, Dimension dimension);
 
 /// Parses TOML text. Throws ConfigError "FILE:LINE: ..." for what is not TOML, duplicates included.
 toml::table parse_toml(std::string_view text, const std::filesystem::path& file);

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The program as a user calls it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/run_program.hpp"
+
+namespace packbed {
+namespace {
+
+using test::run_packbed;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+TEST(Program, TellsItsVersionAndHelp) {
+  EXPECT_THAT(run_packbed("--version").out, HasSubstr("packbed 0."));
+  EXPECT_EQ(run_packbed("--help").code, 0);
+  EXPECT_THAT(run_packbed("--help").out, HasSubstr("resins"));
+  for (const auto* command : {"run", "check", "resins", "units"}) {
+    EXPECT_THAT(run_packbed(std::string(command) + " --help").out, HasSubstr("--json"));
+  }
+}
+
+TEST(Program, RefusesUnknownCommandsAndOptionsOnOneLine) {
+  EXPECT_THAT(run_packbed("chek x").err, HasSubstr("did you mean \"check\"?"));
+  EXPECT_EQ(run_packbed("chek x").code, 1);
+  EXPECT_EQ(run_packbed("check --nonsense cases/quickstart.toml").code, 1);
+  EXPECT_EQ(run_packbed("check").code, 1);
+  EXPECT_EQ(run_packbed("check no/such/case.toml").code, 3);
+  EXPECT_EQ(run_packbed("check no/such/case.toml").err,
+            "packbed: no/such/case.toml: cannot be opened (No such file or directory)\n");
+}
+
+TEST(Check, OfTheQuickstartIsACaseFileAgain) {
+  const test::TemporaryFolder folder;
+  const auto first = run_packbed("check cases/quickstart.toml");
+  ASSERT_EQ(first.code, 0) << first.err;
+  const auto again = folder.file("quickstart.toml", first.out);
+
+  const auto a = nlohmann::json::parse(run_packbed("check --json cases/quickstart.toml").out);
+  const auto b = nlohmann::json::parse(run_packbed("check --json " + again.string()).out);
+
+  EXPECT_EQ(a, b);
+  EXPECT_EQ(a["case"]["column"]["inner_diameter_m"], 4e-3);
+  EXPECT_EQ(a["case"]["protocol"].size(), 3U);
+  EXPECT_GT(a["figures"]["flow"]["kozeny_carman_pressure_drop_Pa"], 0.0);
+}
+
+TEST(Check, IsTheSameUnderADecimalCommaLocale) {
+  const auto plain = run_packbed("check cases/quickstart.toml");
+  const auto german = test::run_shell(std::string("LC_ALL=de_DE.UTF-8 ") + PACKBED_PROGRAM +
+                                          " check cases/quickstart.toml",
+                                      PACKBED_SOURCE_DIR);
+  EXPECT_EQ(german.out, plain.out);
+}
+
+TEST(Run, WritesTheFullCaseAndSaysWhatItDidNotDo) {
+  const test::TemporaryFolder folder;
+  const auto out = (folder.path() / "résultat 1").string();
+
+  const auto run = run_packbed("run cases/quickstart.toml -o '" + out + "'");
+
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("NOT SIMULATED"));
+  EXPECT_EQ(run_packbed("check '" + out + "/case.toml'").code, 0);
+  const auto summary = nlohmann::json::parse(read_text_file(out + "/summary.json"));
+  EXPECT_EQ(summary["steps_carried_out"], 0);
+}
+
+TEST(Run, DoesNotOverwriteResultsUnasked) {
+  const test::TemporaryFolder folder;
+  const auto arguments = "run cases/quickstart.toml -o " + folder.path().string();
+  ASSERT_EQ(run_packbed(arguments).code, 0);
+
+  EXPECT_EQ(run_packbed(arguments).code, 1);
+  EXPECT_THAT(run_packbed(arguments).err, HasSubstr("--overwrite"));
+  EXPECT_EQ(run_packbed(arguments + " --overwrite").code, 0);
+}
+
+TEST(Run, SaysWhyItsFolderCannotBeMade) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.file("file", "");
+  const auto run = run_packbed("run cases/quickstart.toml -o " + (file / "sub").string());
+  EXPECT_EQ(run.code, 3);
+  EXPECT_THAT(run.err, HasSubstr("cannot be made"));
+}
+
+TEST(Resins, ListsShowsAndPrintsJson) {
+  EXPECT_THAT(run_packbed("resins").out, HasSubstr("CM Sepharose 6FF"));
+  EXPECT_THAT(run_packbed("resins sep").out, HasSubstr("thesis, table 6.1"));
+  const auto sep = nlohmann::json::parse(run_packbed("resins SEP --json").out);
+  EXPECT_EQ(sep["properties"]["density_kg_m3"], 1140.0);
+  EXPECT_EQ(sep["properties"]["density_spread_kg_m3"], 160.0);
+  const auto all = nlohmann::json::parse(run_packbed("resins --json").out);
+  EXPECT_GT(all.size(), 15U);
+  EXPECT_THAT(run_packbed("resins sepp").err, HasSubstr("did you mean \"SEP\"?"));
+  EXPECT_EQ(run_packbed("resins sepp").code, 1);
+}
+
+TEST(Units, ShowEveryDimension) {
+  const auto units = nlohmann::json::parse(run_packbed("units --json").out);
+  EXPECT_EQ(units.size(), 10U);
+  EXPECT_EQ(units["velocity"][0]["value_m_s"], 2763.0 / 360000.0);
+  EXPECT_THAT(run_packbed("units").err, IsEmpty());
+}
+
+}  // namespace
+}  // namespace packbed
