@@ -25,8 +25,8 @@ struct RunCommand {
 int run(const RunCommand& command);
 
 struct ResinsCommand {
-  std::string name;      ///< empty: list all
-  std::string library;   ///< file of the user's own; empty: none
+  std::string name;     ///< empty: list all
+  std::string library;  ///< file of the user's own; empty: none
   bool json = false;
 };
 int resins(const ResinsCommand& command);

@@ -110,4 +110,6 @@ int main(int argc, char** argv) {
 }  // namespace
 }  // namespace packbed::app
 
+// Whatever is not an Error is a bug and may terminate.
+// NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) { return packbed::app::main(argc, argv); }

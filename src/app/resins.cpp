@@ -18,7 +18,8 @@ std::string with_spread(const resin::Property& p) {
   return p.spread_text.empty() ? p.text : fmt::format("{} +- {}", p.text, p.spread_text);
 }
 
-std::string source_text(const std::string& source, const std::string& where,
+std::string source_text(const std::string& source,
+                        const std::string& where,
                         const std::string& note) {
   return fmt::format("{}{}{}", source, where.empty() ? "" : ", " + where,
                      note.empty() ? "" : " (" + note + ")");
@@ -69,8 +70,8 @@ void print_resin(const resin::Resin& resin, const resin::Library& library) {
 void add_value(Json& j, const resin::Property& p) {
   const auto key = p.suffix.empty() ? p.key : fmt::format("{}_{}", p.key, p.suffix);
   j[key] = p.si;
-  if (p.spread) j[fmt::format("{}_spread{}{}", p.key, p.suffix.empty() ? "" : "_", p.suffix)] =
-      *p.spread;
+  if (p.spread)
+    j[fmt::format("{}_spread{}{}", p.key, p.suffix.empty() ? "" : "_", p.suffix)] = *p.spread;
 }
 
 Json resin_json(const resin::Resin& resin) {

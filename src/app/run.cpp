@@ -14,15 +14,16 @@ namespace {
 
 void make_run_folder(const std::filesystem::path& folder, bool overwrite) {
   if (!overwrite && std::filesystem::exists(folder / "summary.json")) {
-    throw ConfigError(fmt::format("{}: there are results of an earlier run; take another folder "
-                                  "with -o DIR, or replace them with --overwrite",
-                                  folder.string()));
+    throw ConfigError(
+        fmt::format("{}: there are results of an earlier run; take another folder "
+                    "with -o DIR, or replace them with --overwrite",
+                    folder.string()));
   }
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
   if (failed) {
-    throw DataError(fmt::format("{}: the folder cannot be made ({})", folder.string(),
-                                failed.message()));
+    throw DataError(
+        fmt::format("{}: the folder cannot be made ({})", folder.string(), failed.message()));
   }
 }
 
@@ -52,9 +53,10 @@ int run(const RunCommand& command) {
   }
   fmt::print("{}: read and checked; {:.0f} grains, {} protocol steps\n", c.title, f.bead_count,
              c.protocol.size());
-  fmt::print("NOT SIMULATED: packbed {} prepares cases; it has no bead mechanics and no liquid yet, "
-             "so none of the {} steps was carried out.\n",
-             version, c.protocol.size());
+  fmt::print(
+      "NOT SIMULATED: packbed {} prepares cases; it has no bead mechanics and no liquid yet, "
+      "so none of the {} steps was carried out.\n",
+      version, c.protocol.size());
   fmt::print("Written: {0}/case.toml (every value filled in), {0}/summary.json\n", folder.string());
   return 0;
 }

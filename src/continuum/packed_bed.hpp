@@ -9,15 +9,14 @@ namespace packbed::continuum {
 /// Kozeny-Carman pressure gradient with Carman's factor 180 [Pa/m]:
 ///   dp/dz = 180 mu_f (1 - eps)^2 u_superficial / (eps^3 d32^2)
 /// Thesis eqs 3.56 and 3.57; laminar flow (re_bed below about 10).
-constexpr double kozeny_carman_gradient(double eps, double d32, double mu_f,
-                                        double u_superficial) {
+constexpr double kozeny_carman_gradient(double eps, double d32, double mu_f, double u_superficial) {
   const double phi = 1.0 - eps;
   return 180.0 * mu_f * phi * phi * u_superficial / (eps * eps * eps * d32 * d32);
 }
 
 /// Reynolds number of the pores, rho_f u_superficial d32 / (mu_f eps). Thesis eq. 3.55, fig. 7.2.
-constexpr double bed_reynolds(double rho_f, double u_superficial, double d32, double mu_f,
-                              double eps) {
+constexpr double bed_reynolds(
+    double rho_f, double u_superficial, double d32, double mu_f, double eps) {
   return rho_f * u_superficial * d32 / (mu_f * eps);
 }
 

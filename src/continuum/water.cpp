@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <span>
 
 namespace packbed::continuum {
 namespace {
@@ -13,8 +14,7 @@ struct Term {
   int power;
 };
 
-template <std::size_t n>
-double sum_of_powers(const std::array<Term, n>& terms, double x) {
+double sum_of_powers(std::span<const Term> terms, double x) {
   double sum = 0.0;
   for (const auto& term : terms) sum += term.factor * std::pow(x, term.power);
   return sum;

@@ -52,9 +52,9 @@ void CsvTable::read_header(const std::string& line, std::size_t number) {
   header_line_ = number;
   const auto at = [&] { return fmt::format("{}:{}", file_.string(), number); };
   if (line.find(';') != std::string::npos || line.find('\t') != std::string::npos) {
-    throw ConfigError(fmt::format(
-        "{}: columns must be separated by commas (and decimals by points), not by {}", at(),
-        line.find(';') != std::string::npos ? "semicolons" : "tabs"));
+    throw ConfigError(
+        fmt::format("{}: columns must be separated by commas (and decimals by points), not by {}",
+                    at(), line.find(';') != std::string::npos ? "semicolons" : "tabs"));
   }
   header_ = split_row(line);
   for (std::size_t i = 0; i < header_.size(); ++i) {

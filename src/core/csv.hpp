@@ -35,8 +35,8 @@ class CsvTable {
   std::filesystem::path file_;
   std::size_t header_line_ = 0;
   std::vector<std::string> header_;
-  std::vector<std::size_t> lines_;   ///< line number of each row
-  std::vector<std::string> cells_;   ///< row by row
+  std::vector<std::size_t> lines_;  ///< line number of each row
+  std::vector<std::string> cells_;  ///< row by row
 };
 
 /// A column header "diameter [um]" in its parts; the unit is empty if there is none.

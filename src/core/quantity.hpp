@@ -42,7 +42,7 @@ std::span<const DimensionInfo> all_dimensions();
 struct NumberWithUnit {
   double number;
   std::string digits;  ///< the number as it was written
-  std::string unit;  ///< may be empty
+  std::string unit;    ///< may be empty
 };
 
 /// Splits "90 um" into 90 and "um". Throws ValueError for anything else:

@@ -12,10 +12,21 @@
 namespace packbed::io {
 namespace {
 
-const std::vector<std::string> known_columns = {
-    "x_m",    "y_m",      "z_m",      "diameter_m", "vx_m_s",        "vy_m_s",
-    "vz_m_s", "wx_rad_s", "wy_rad_s", "wz_rad_s",   "fixed",         "density_kg_m3",
-    "youngs_modulus_Pa",  "poisson_ratio",          "resin"};
+const std::vector<std::string> known_columns = {"x_m",
+                                                "y_m",
+                                                "z_m",
+                                                "diameter_m",
+                                                "vx_m_s",
+                                                "vy_m_s",
+                                                "vz_m_s",
+                                                "wx_rad_s",
+                                                "wy_rad_s",
+                                                "wz_rad_s",
+                                                "fixed",
+                                                "density_kg_m3",
+                                                "youngs_modulus_Pa",
+                                                "poisson_ratio",
+                                                "resin"};
 
 void check_header(const CsvTable& table) {
   for (const auto& column : table.header()) {
@@ -30,16 +41,19 @@ void check_header(const CsvTable& table) {
 int required(const CsvTable& table, const std::string& name) {
   const int column = table.find(name);
   if (column < 0) {
-    throw ConfigError(fmt::format("{}: column \"{}\" is missing; a bead file needs "
-                                  "x_m,y_m,z_m,diameter_m",
-                                  table.header_place(), name));
+    throw ConfigError(
+        fmt::format("{}: column \"{}\" is missing; a bead file needs "
+                    "x_m,y_m,z_m,diameter_m",
+                    table.header_place(), name));
   }
   return column;
 }
 
 /// One optional column, checked by `accepts`.
 template <class Accepts>
-std::vector<double> numbers(const CsvTable& table, const std::string& name, Accepts accepts,
+std::vector<double> numbers(const CsvTable& table,
+                            const std::string& name,
+                            Accepts accepts,
                             const char* accepted) {
   std::vector<double> values;
   const int column = table.find(name);
@@ -48,8 +62,8 @@ std::vector<double> numbers(const CsvTable& table, const std::string& name, Acce
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double value = table.number(row, column);
     if (!accepts(value)) {
-      throw ConfigError(fmt::format("{}: {} = {} {}", table.place(row), name,
-                                    table.text(row, column), accepted));
+      throw ConfigError(
+          fmt::format("{}: {} = {} {}", table.place(row), name, table.text(row, column), accepted));
     }
     values.push_back(value);
   }

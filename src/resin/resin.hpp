@@ -14,14 +14,14 @@ namespace packbed::resin {
 /// One value of a resin. `key` and its unit are listed in docs/manual/resins.md.
 struct Property {
   std::string key;
-  std::string text;                ///< as the library writes it: "1.14 g/cm3"
-  double si;                       ///< in SI
-  std::string si_unit;             ///< "kg/m3"; empty for pure numbers
-  std::string suffix;              ///< of a JSON key: "kg_m3"; empty for pure numbers
-  std::optional<double> spread;    ///< standard deviation, in SI
+  std::string text;              ///< as the library writes it: "1.14 g/cm3"
+  double si = 0.0;               ///< in SI
+  std::string si_unit;           ///< "kg/m3"; empty for pure numbers
+  std::string suffix;            ///< of a JSON key: "kg_m3"; empty for pure numbers
+  std::optional<double> spread;  ///< standard deviation, in SI
   std::string spread_text;
-  std::string source;              ///< short name of a Source
-  std::string where;               ///< table or section of the source
+  std::string source;  ///< short name of a Source
+  std::string where;   ///< table or section of the source
   std::string note;
 };
 
@@ -48,7 +48,7 @@ struct Resin {
 };
 
 struct Source {
-  std::string name;      ///< short: "thesis"
+  std::string name;  ///< short: "thesis"
   std::string citation;
 };
 

@@ -58,7 +58,9 @@ double Monodisperse::partial_moment(int k, double x) const {
 
 double Monodisperse::quantile(double /*u*/) const { return diameter; }
 
-TruncatedNormal TruncatedNormal::from(double mean, double standard_deviation, double minimum,
+TruncatedNormal TruncatedNormal::from(double mean,
+                                      double standard_deviation,
+                                      double minimum,
                                       double maximum) {
   if (!(standard_deviation > 0.0)) throw ValueError("standard_deviation must be positive");
   if (!(minimum > 0.0)) throw ValueError("minimum must be positive");
@@ -101,7 +103,9 @@ double TruncatedNormal::quantile(double u) const {
   return std::clamp(mean_ + sd_ * normal_quantile(a, b, u), minimum_, maximum_);
 }
 
-Lognormal Lognormal::from(double median, double geometric_standard_deviation, double minimum,
+Lognormal Lognormal::from(double median,
+                          double geometric_standard_deviation,
+                          double minimum,
                           double maximum) {
   if (!(median > 0.0)) throw ValueError("median must be positive");
   if (!(geometric_standard_deviation > 1.0)) {
@@ -141,17 +145,17 @@ Histogram Histogram::from(std::span<const Bin> bins, Weighting weighting) {
   for (std::size_t i = 0; i < bins.size(); ++i) {
     auto bin = bins[i];
     if (!(bin.lower >= end && bin.lower > 0.0 && bin.upper > bin.lower)) {
-      throw ValueError(fmt::format(
-          "bin {} from {} to {} m: bins must ascend without overlap and start above 0", i + 1,
-          bin.lower, bin.upper));
+      throw ValueError(
+          fmt::format("bin {} from {} to {} m: bins must ascend without overlap and start above 0",
+                      i + 1, bin.lower, bin.upper));
     }
     if (!(bin.share >= 0.0)) {
       throw ValueError(fmt::format("bin {} has a negative share {}", i + 1, bin.share));
     }
     end = bin.upper;
     if (weighting == Weighting::volume) {
-      const double mean_cube = (std::pow(bin.upper, 4) - std::pow(bin.lower, 4)) /
-                               (4.0 * (bin.upper - bin.lower));
+      const double mean_cube =
+          (std::pow(bin.upper, 4) - std::pow(bin.lower, 4)) / (4.0 * (bin.upper - bin.lower));
       bin.share /= mean_cube;
     }
     sum += bin.share;

@@ -38,7 +38,9 @@ class TruncatedNormal {
 
   /// Lengths in m. Throws ValueError unless 0 < minimum < maximum, the deviation is positive and
   /// at least 1e-6 of the uncut curve lies in the range.
-  static TruncatedNormal from(double mean, double standard_deviation, double minimum,
+  static TruncatedNormal from(double mean,
+                              double standard_deviation,
+                              double minimum,
                               double maximum);
 
   [[nodiscard]] double smallest() const { return minimum_; }
@@ -60,7 +62,9 @@ class Lognormal {
 
   /// Lengths in m. Throws ValueError unless 0 <= minimum < maximum (which may be infinite),
   /// median > 0, deviation > 1, and at least 1e-6 of the uncut curve lies in the range.
-  static Lognormal from(double median, double geometric_standard_deviation, double minimum,
+  static Lognormal from(double median,
+                        double geometric_standard_deviation,
+                        double minimum,
                         double maximum);
 
   [[nodiscard]] double smallest() const { return minimum_; }
@@ -122,6 +126,7 @@ class Measured {
   std::vector<double> diameters_;  ///< ascending
 };
 
-using SizeDistribution = std::variant<Monodisperse, TruncatedNormal, Lognormal, Histogram, Measured>;
+using SizeDistribution =
+    std::variant<Monodisperse, TruncatedNormal, Lognormal, Histogram, Measured>;
 
 }  // namespace packbed::resin

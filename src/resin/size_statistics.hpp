@@ -18,9 +18,9 @@ struct SizeStatistics {
   double mean;                ///< of the number
   double standard_deviation;  ///< of the number
   double median;              ///< of the number
-  double d10, d50, d90;       ///< of the volume: 10, 50, 90 % of the bead volume is in smaller beads
-  double sauter;              ///< d32 = <d^3> / <d^2>, thesis eq. 3.58
-  double volume_mean;         ///< d30 = <d^3>^(1/3): the bead of mean volume
+  double d10, d50, d90;  ///< of the volume: 10, 50, 90 % of the bead volume is in smaller beads
+  double sauter;         ///< d32 = <d^3> / <d^2>, thesis eq. 3.58
+  double volume_mean;    ///< d30 = <d^3>^(1/3): the bead of mean volume
 };
 
 SizeStatistics statistics(const SizeDistribution& distribution);

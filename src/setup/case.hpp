@@ -20,8 +20,8 @@
 namespace packbed::setup {
 
 struct Material {
-  double youngs_modulus;  ///< [Pa]
-  double poisson_ratio;
+  double youngs_modulus = 0.0;  ///< [Pa]
+  double poisson_ratio = 0.0;
   bool operator==(const Material&) const = default;
 };
 
@@ -36,7 +36,7 @@ enum class ContactLawName { hooke, hertz };
 enum class RollingLawName { none, cdt, epsd };
 
 struct ResinOptions {
-  std::string name;                    ///< of the library, or the user's own
+  std::string name;                              ///< of the library, or the user's own
   std::optional<resin::SizeDistribution> sizes;  ///< of real beads; none if a bead file has them
   // Properties of beads. Those that a bead file gives for each bead may be absent here.
   std::optional<double> density;         ///< wet [kg/m3]
@@ -86,8 +86,8 @@ struct Settle {
 enum class FlowChange { jump, ramp };
 
 struct FlowRamp {
-  double from;                 ///< superficial velocity [m/s]
-  double to;                   ///< superficial velocity [m/s]
+  double from;  ///< superficial velocity [m/s]
+  double to;    ///< superficial velocity [m/s]
   std::int64_t steps;
   std::optional<double> hold;  ///< at each step [s]; none: until steady
   double hold_limit;           ///< longest hold until steady [s]
@@ -105,9 +105,9 @@ struct Hold {
 enum class CompressTarget { height, compression, compression_factor, force };
 
 struct Compress {
-  double speed;           ///< of the plunger [m/s]
+  double speed;  ///< of the plunger [m/s]
   CompressTarget target;
-  double value;           ///< of the target: m, -, -, N
+  double value;  ///< of the target: m, -, -, N
   bool operator==(const Compress&) const = default;
 };
 
@@ -116,30 +116,34 @@ struct ProtocolStep;
 struct Repeat {
   std::int64_t count;
   std::vector<ProtocolStep> steps;
-  bool operator==(const Repeat&) const;
+  bool operator==(const Repeat& other) const;
 };
 
 struct ProtocolStep {
   std::variant<Run, Settle, FlowRamp, Hold, Compress, Repeat> what;
-  bool operator==(const ProtocolStep&) const = default;
+  bool operator==(const ProtocolStep& other) const;
 };
 
-inline bool Repeat::operator==(const Repeat&) const = default;
+// Written out: clang 14 does not end when it defaults these two, which contain each other.
+inline bool ProtocolStep::operator==(const ProtocolStep& other) const { return what == other.what; }
+inline bool Repeat::operator==(const Repeat& other) const {
+  return count == other.count && steps == other.steps;
+}
 
 // --- numerics and output
 
 struct NumericsOptions {
   std::optional<double> step;           ///< of the beads [s]; none: computed
   std::optional<double> inertia_scale;  ///< none: chosen by the program
-  std::uint64_t seed;
-  bool gravity;
+  std::uint64_t seed = 0;
+  bool gravity = true;
   bool operator==(const NumericsOptions&) const = default;
 };
 
 struct OutputOptions {
-  std::string directory;  ///< as given; runs/<name of the case> by default
-  double interval;        ///< simulated time between rows of series.csv [s]
-  bool beads_csv;         ///< also write frames/beads_N.csv
+  std::string directory;   ///< as given; runs/<name of the case> by default
+  double interval = 0.0;   ///< simulated time between rows of series.csv [s]
+  bool beads_csv = false;  ///< also write frames/beads_N.csv
   bool operator==(const OutputOptions&) const = default;
 };
 

@@ -19,7 +19,8 @@ constexpr double bytes_per_bead = 64 + 32 + 64 + 32 + 16 + 4.1 * 72 + 6 * 4;
 
 double sphere(double diameter) { return std::numbers::pi / 6.0 * std::pow(diameter, 3); }
 
-void collect(const std::vector<ProtocolStep>& steps, std::optional<Settle>& first_settle,
+void collect(const std::vector<ProtocolStep>& steps,
+             std::optional<Settle>& first_settle,
              double& highest_velocity) {
   for (const auto& step : steps) {
     if (const auto* settle = std::get_if<Settle>(&step.what)) {
@@ -49,8 +50,8 @@ double mass_of_file(const Case& c) {
   return mass;
 }
 
-FlowFigures flow_figures(const LiquidOptions& liquid, const BedFigures& bed, double rho_p,
-                         double d32, double velocity) {
+FlowFigures flow_figures(
+    const LiquidOptions& liquid, const BedFigures& bed, double rho_p, double d32, double velocity) {
   const double gradient =
       continuum::kozeny_carman_gradient(bed.porosity, d32, liquid.viscosity, velocity);
   return {.highest_velocity = velocity,

@@ -21,22 +21,22 @@ struct FlowFigures {
 };
 
 struct BedFigures {
-  double height;         ///< [m]
+  double height;  ///< [m]
   double porosity;
   bool porosity_is_set;  ///< by a settle step; assumed otherwise
 };
 
 struct CaseFigures {
-  resin::SizeStatistics sizes;       ///< of real beads (of the grains, where a bead file has them)
-  double largest_grain;              ///< coarse_grain included [m]
+  resin::SizeStatistics sizes = {};  ///< of real beads (of the grains, where a bead file has them)
+  double largest_grain = 0.0;        ///< coarse_grain included [m]
   std::optional<BedFigures> bed;     ///< where a settle step says how high it will be
-  double bead_count;                 ///< grains of the simulation
-  double real_bead_count;            ///< beads that they stand for
-  double bead_mass;                  ///< of all beads, wet [kg]
-  double bead_volume;                ///< of all beads [m3]
+  double bead_count = 0.0;           ///< grains of the simulation
+  double real_bead_count = 0.0;      ///< beads that they stand for
+  double bead_mass = 0.0;            ///< of all beads, wet [kg]
+  double bead_volume = 0.0;          ///< of all beads [m3]
   std::optional<double> submerged_weight;  ///< weight less buoyancy [N]; none when dry
   std::optional<FlowFigures> flow;         ///< where there is a bed, a liquid and a flow
-  double memory;                     ///< of beads and contacts [B]
+  double memory = 0.0;                     ///< of beads and contacts [B]
 };
 
 /// Settled porosity where the case does not say: what the thesis's friction (0.1, rolling 0.35)

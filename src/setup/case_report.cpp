@@ -40,10 +40,10 @@ std::string bed_lines(const CaseFigures& f) {
   }
   if (f.bed) {
     text += figure("settled bed height", fmt::format("{:.3f} mm", f.bed->height * per_mm));
-    text += figure("settled porosity", fmt::format("{:.3f} ({})", f.bed->porosity,
-                                                   f.bed->porosity_is_set
-                                                       ? "asked for by the settle step"
-                                                       : "assumed; it follows from the settling"));
+    text += figure("settled porosity",
+                   fmt::format("{:.3f} ({})", f.bed->porosity,
+                               f.bed->porosity_is_set ? "asked for by the settle step"
+                                                      : "assumed; it follows from the settling"));
   }
   text += figure("mass of the wet beads", fmt::format("{:.4g} g", f.bead_mass * 1e3));
   if (f.submerged_weight) {
@@ -53,14 +53,14 @@ std::string bed_lines(const CaseFigures& f) {
 }
 
 std::string liquid_lines(const LiquidOptions& liquid) {
-  return figure("density, viscosity", fmt::format("{:.2f} kg/m3, {:.4f} mPa s", liquid.density,
-                                                  liquid.viscosity * 1e3));
+  return figure("density, viscosity",
+                fmt::format("{:.2f} kg/m3, {:.4f} mPa s", liquid.density, liquid.viscosity * 1e3));
 }
 
 std::string flow_lines(const FlowFigures& flow) {
-  return figure("highest superficial velocity", fmt::format("{:.1f} cm/h = {:.4g} m/s",
-                                                            flow.highest_velocity * cm_h,
-                                                            flow.highest_velocity)) +
+  return figure("highest superficial velocity",
+                fmt::format("{:.1f} cm/h = {:.4g} m/s", flow.highest_velocity * cm_h,
+                            flow.highest_velocity)) +
          figure("Reynolds number, Stokes number",
                 fmt::format("{:.3g}, {:.3g}", flow.reynolds, flow.stokes)) +
          figure("pressure drop, Kozeny-Carman",
@@ -105,8 +105,8 @@ Json& place_of(Json& root, std::string header) {
 std::string check_text(const Case& c, const CaseFigures& f) {
   std::string text = fmt::format("# {}: the case with every value filled in (a case file again)\n",
                                  c.file.string());
-  text += fmt::format("#\n# Beads ({})\n{}", c.beads.csv ? "grains as in the bead file" : "real size",
-                      size_lines(f));
+  text += fmt::format("#\n# Beads ({})\n{}",
+                      c.beads.csv ? "grains as in the bead file" : "real size", size_lines(f));
   text += fmt::format("#\n# Bed\n{}", bed_lines(f));
   if (c.liquid) text += fmt::format("#\n# Liquid\n{}", liquid_lines(*c.liquid));
   if (f.flow) text += fmt::format("#\n# Flow, at the highest velocity\n{}", flow_lines(*f.flow));

@@ -36,7 +36,8 @@ std::string toml_string(const std::string& text) {
 std::string to_toml(const Echo& echo) {
   std::string text;
   for (const auto& table : echo) {
-    if (!table.header.empty()) text += fmt::format("{}{}\n", text.empty() ? "" : "\n", table.header);
+    if (!table.header.empty())
+      text += fmt::format("{}{}\n", text.empty() ? "" : "\n", table.header);
     std::vector<std::string> lines;
     std::size_t width = 0;
     for (const auto& entry : table.entries) {

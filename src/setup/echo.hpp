@@ -15,12 +15,12 @@ namespace packbed::setup {
 
 struct EchoEntry {
   std::string key = {};
-  std::string toml = {};               ///< the value as it stands in a case file
-  std::vector<double> si = {};         ///< its number or numbers in SI; none for words
+  std::string toml = {};                    ///< the value as it stands in a case file
+  std::vector<double> si = {};              ///< its number or numbers in SI; none for words
   std::optional<Dimension> dimension = {};  ///< of these numbers; none for pure ones
   std::vector<std::string> words = {};      ///< the plain text of a word or list of words
   bool is_list = false;
-  std::string origin = {};                 ///< "default", "library: ..."; empty if the user gave it
+  std::string origin = {};  ///< "default", "library: ..."; empty if the user gave it
 };
 
 struct EchoTable {

@@ -13,8 +13,8 @@ namespace {
 Case read_tables(const toml::table& table, Reading& reading) {
   Case c;
   Section top(reading, table, "", "");
-  for (const auto* key : {"title", "column", "resin", "liquid", "beads", "protocol", "numerics",
-                          "output"}) {
+  for (const auto* key :
+       {"title", "column", "resin", "liquid", "beads", "protocol", "numerics", "output"}) {
     top.mention(key);
   }
   top.finish();  // before anything else: a misspelt section would look like a missing one
@@ -35,7 +35,8 @@ Case read_tables(const toml::table& table, Reading& reading) {
 
 }  // namespace
 
-Case read_case_text(std::string_view text, const std::filesystem::path& file,
+Case read_case_text(std::string_view text,
+                    const std::filesystem::path& file,
                     const UnitSystem& units) {
   const auto table = parse_toml(text, file);
   Reading reading{units, file, {}};

@@ -18,7 +18,8 @@ namespace packbed::setup {
 Case read_case(const std::filesystem::path& file, const UnitSystem& units);
 
 /// The same for a text, as if it stood in `file`.
-Case read_case_text(std::string_view text, const std::filesystem::path& file,
+Case read_case_text(std::string_view text,
+                    const std::filesystem::path& file,
                     const UnitSystem& units);
 
 }  // namespace packbed::setup

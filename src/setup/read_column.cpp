@@ -5,11 +5,11 @@ namespace packbed::setup {
 namespace {
 
 mesh::Slice read_slice(Section& section) {
-  section.refuse("size", "does not apply to shape = \"slice\"; give inner_diameter, slice_depth "
-                         "and height");
+  section.refuse("size",
+                 "does not apply to shape = \"slice\"; give inner_diameter, slice_depth "
+                 "and height");
   section.refuse("boundaries", "does not apply to shape = \"slice\"; x has walls, y is periodic");
-  return {.inner_diameter =
-              section.quantity("inner_diameter", Dimension::length, bounds::positive),
+  return {.inner_diameter = section.quantity("inner_diameter", Dimension::length, bounds::positive),
           .depth = section.quantity("slice_depth", Dimension::length, bounds::positive),
           .height = section.quantity("height", Dimension::length, bounds::positive)};
 }
@@ -18,8 +18,7 @@ mesh::Cylinder read_cylinder(Section& section) {
   section.refuse("size", "does not apply to shape = \"cylinder\"; give inner_diameter and height");
   section.refuse("boundaries", "does not apply to shape = \"cylinder\"");
   section.refuse("slice_depth", "does not apply to shape = \"cylinder\"");
-  return {.inner_diameter =
-              section.quantity("inner_diameter", Dimension::length, bounds::positive),
+  return {.inner_diameter = section.quantity("inner_diameter", Dimension::length, bounds::positive),
           .height = section.quantity("height", Dimension::length, bounds::positive)};
 }
 
@@ -43,20 +42,22 @@ mesh::Box read_box(Section& section) {
 Material read_material(Section section) {
   const Fallback modulus{"10 GPa", "default: thesis table B.2"};
   const Fallback poisson{"0.5", "default: thesis table B.2"};
-  const Material material{
-      .youngs_modulus =
-          section.quantity("youngs_modulus", Dimension::pressure, bounds::positive, modulus),
-      .poisson_ratio = section.quantity("poisson_ratio", Dimension::fraction,
-                                        bounds::poisson_ratio, poisson)};
+  const Material material{.youngs_modulus = section.quantity("youngs_modulus", Dimension::pressure,
+                                                             bounds::positive, modulus),
+                          .poisson_ratio = section.quantity("poisson_ratio", Dimension::fraction,
+                                                            bounds::poisson_ratio, poisson)};
   section.finish();
   return material;
 }
 
 mesh::ColumnShape read_shape(Section& section) {
   switch (section.choice("shape", {"slice", "cylinder", "box"})) {
-    case 0: return read_slice(section);
-    case 1: return read_cylinder(section);
-    default: return read_box(section);
+    case 0:
+      return read_slice(section);
+    case 1:
+      return read_cylinder(section);
+    default:
+      return read_box(section);
   }
 }
 

@@ -29,8 +29,8 @@ LiquidOptions read_liquid(Section section) {
     liquid.density = section.quantity("density", Dimension::density, bounds::positive);
     liquid.viscosity = section.quantity("viscosity", Dimension::viscosity, bounds::positive);
   } else {
-    const double t = section.quantity("temperature", Dimension::temperature, liquid_water,
-                                      Fallback{"20 degC"});
+    const double t =
+        section.quantity("temperature", Dimension::temperature, liquid_water, Fallback{"20 degC"});
     liquid.temperature = t;
     liquid.density = continuum::water_density(t);
     liquid.viscosity = continuum::water_viscosity(t);

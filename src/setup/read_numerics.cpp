@@ -5,8 +5,8 @@ namespace packbed::setup {
 
 NumericsOptions read_numerics(Section section) {
   NumericsOptions numerics{};
-  numerics.step = section.quantity_or_word("step", Dimension::time, bounds::positive, "auto",
-                                           Fallback{"auto"});
+  numerics.step =
+      section.quantity_or_word("step", Dimension::time, bounds::positive, "auto", Fallback{"auto"});
   numerics.inertia_scale = section.quantity_or_word("inertia_scale", Dimension::fraction,
                                                     bounds::positive, "auto", Fallback{"auto"});
   numerics.seed = static_cast<std::uint64_t>(section.integer("seed", 0, Fallback{"1"}));
@@ -17,8 +17,8 @@ NumericsOptions read_numerics(Section section) {
 
 OutputOptions read_output(Section section, const std::filesystem::path& case_file) {
   OutputOptions output{};
-  output.directory =
-      section.word("directory", Fallback{(std::filesystem::path("runs") / case_file.stem()).string()});
+  output.directory = section.word(
+      "directory", Fallback{(std::filesystem::path("runs") / case_file.stem()).string()});
   output.interval =
       section.quantity("interval", Dimension::time, bounds::positive, Fallback{"10 ms"});
   output.beads_csv = section.boolean("beads_csv", false);

@@ -22,12 +22,14 @@ Run read_run(Section& section) {
 Settle read_settle(Section& section, Context& context) {
   Settle settle;
   if (context.beads_are_counted && section.has("bed_height")) {
-    section.fail("bed_height", "is one too many: [beads] or an earlier settle step already says "
-                               "how many beads there are");
+    section.fail("bed_height",
+                 "is one too many: [beads] or an earlier settle step already says "
+                 "how many beads there are");
   }
   if (!context.beads_are_counted && !section.has("bed_height")) {
-    section.fail_missing("bed_height", "is missing; give it, or [beads] csv or count, so that the "
-                                       "number of beads is known");
+    section.fail_missing("bed_height",
+                         "is missing; give it, or [beads] csv or count, so that the "
+                         "number of beads is known");
   }
   context.beads_are_counted = true;
   settle.bed_height = section.optional_quantity("bed_height", Dimension::length, bounds::positive);
@@ -114,12 +116,24 @@ ProtocolStep read_step(Section section, Context& context) {
       section.choice("step", {"run", "settle", "flow_ramp", "hold", "compress", "repeat"});
   ProtocolStep step{Run{}};
   switch (kind) {
-    case 0: step.what = read_run(section); break;
-    case 1: step.what = read_settle(section, context); break;
-    case 2: step.what = read_flow_ramp(section, context); break;
-    case 3: step.what = read_hold(section, context); break;
-    case 4: step.what = read_compress(section, context); break;
-    default: step.what = read_repeat(section, context); break;
+    case 0:
+      step.what = read_run(section);
+      break;
+    case 1:
+      step.what = read_settle(section, context);
+      break;
+    case 2:
+      step.what = read_flow_ramp(section, context);
+      break;
+    case 3:
+      step.what = read_hold(section, context);
+      break;
+    case 4:
+      step.what = read_compress(section, context);
+      break;
+    default:
+      step.what = read_repeat(section, context);
+      break;
   }
   section.finish();
   return step;
@@ -127,12 +141,14 @@ ProtocolStep read_step(Section section, Context& context) {
 
 }  // namespace
 
-std::vector<ProtocolStep> read_protocol(std::vector<Section> sections, const ColumnOptions& column,
-                                        const BeadOptions& beads, bool has_liquid) {
-  Context context{.column = column,
-                  .has_liquid = has_liquid,
-                  .beads_are_counted = beads.csv || beads.count};
+std::vector<ProtocolStep> read_protocol(std::vector<Section> sections,
+                                        const ColumnOptions& column,
+                                        const BeadOptions& beads,
+                                        bool has_liquid) {
+  Context context{
+      .column = column, .has_liquid = has_liquid, .beads_are_counted = beads.csv || beads.count};
   std::vector<ProtocolStep> protocol;
+  protocol.reserve(sections.size());
   for (auto& section : sections) protocol.push_back(read_step(std::move(section), context));
   return protocol;
 }

@@ -14,11 +14,12 @@
 namespace packbed::setup {
 namespace {
 
-const resin::Resin& find_resin(const Section& section, const resin::Library& library,
+const resin::Resin& find_resin(const Section& section,
+                               const resin::Library& library,
                                const std::string& name) {
-  if (const auto* resin = library.find(name)) return *resin;
-  const auto names = library.names();
-  const auto near = nearest(name, names);
+  const auto* resin = library.find(name);
+  if (resin != nullptr) return *resin;
+  const auto near = nearest(name, library.names());
   section.fail("name", fmt::format("is not in the library{}; `packbed resins` lists it. For beads "
                                    "of your own leave name out, or name a library of yours",
                                    near ? fmt::format(", did you mean \"{}\"?", *near) : ""));
@@ -30,8 +31,11 @@ class ResinReader {
   ResinReader(Section& section, const resin::Resin* resin) : section_(section), resin_(resin) {}
 
   /// From the case, else the library, else `otherwise`; refused if there is none of them.
-  double needed(std::string_view key, Dimension dimension, const Bounds& bounds,
-                std::string_view library_key, const std::optional<Fallback>& otherwise = {}) {
+  double needed(std::string_view key,
+                Dimension dimension,
+                const Bounds& bounds,
+                std::string_view library_key,
+                const std::optional<Fallback>& otherwise = {}) {
     const auto fallback = default_of(library_key, otherwise);
     if (!section_.has(key) && !fallback && resin_ != nullptr) {
       section_.fail_missing(key, missing_in_library(library_key, dimension));
@@ -40,8 +44,10 @@ class ResinReader {
   }
 
   /// The same, but absent if there is none and the beads of a file each have their own.
-  std::optional<double> unless_per_bead(std::string_view key, Dimension dimension,
-                                        const Bounds& bounds, std::string_view library_key,
+  std::optional<double> unless_per_bead(std::string_view key,
+                                        Dimension dimension,
+                                        const Bounds& bounds,
+                                        std::string_view library_key,
                                         bool each_bead_has_it) {
     const bool known = section_.has(key) || default_of(library_key, {});
     if (!known && each_bead_has_it) {
@@ -75,17 +81,19 @@ class ResinReader {
   const resin::Resin* resin_;
 };
 
-void read_contact(Section& section, ResinReader& reader, const BeadOptions& beads,
+void read_contact(Section& section,
+                  ResinReader& reader,
+                  const BeadOptions& beads,
                   ResinOptions& options) {
   const Fallback thesis_friction{"0.1", "default: value of CM Sepharose 6FF, thesis table 8.4"};
   const Fallback thesis_rolling{"0.35", "default: value of CM Sepharose 6FF, thesis table 8.4"};
   options.contact =
       static_cast<ContactLawName>(section.choice("contact", {"hooke", "hertz"}, Fallback{"hooke"}));
   const bool hooke = options.contact == ContactLawName::hooke;
-  options.youngs_modulus = reader.unless_per_bead(
-      "youngs_modulus", Dimension::pressure, bounds::positive,
-      hooke ? "youngs_modulus_linear" : "youngs_modulus_relaxed",
-      !beads.table.youngs_modulus.empty());
+  options.youngs_modulus =
+      reader.unless_per_bead("youngs_modulus", Dimension::pressure, bounds::positive,
+                             hooke ? "youngs_modulus_linear" : "youngs_modulus_relaxed",
+                             !beads.table.youngs_modulus.empty());
   if (hooke) {
     options.characteristic_velocity =
         reader.needed("characteristic_velocity", Dimension::velocity, bounds::positive,
@@ -105,17 +113,18 @@ void read_contact(Section& section, ResinReader& reader, const BeadOptions& bead
                                         "wall_friction", thesis_friction);
   options.rolling = static_cast<RollingLawName>(
       section.choice("rolling", {"none", "cdt", "epsd"}, Fallback{"epsd"}));
-  options.rolling_friction = reader.needed("rolling_friction", Dimension::fraction,
-                                           bounds::not_negative, "rolling_friction",
-                                           thesis_rolling);
+  options.rolling_friction =
+      reader.needed("rolling_friction", Dimension::fraction, bounds::not_negative,
+                    "rolling_friction", thesis_rolling);
 }
 
 /// The largest grain must not meet itself across a periodic side, and must fit between walls.
 void check_fit(const Section& section, const ColumnOptions& column, double largest_grain) {
   const auto refuse = [&](std::string_view what, double size) {
-    section.fail_here(fmt::format("has grains up to {:.4g} um (coarse_grain included), but {} is "
-                                  "only {:.4g} um; make it wider or the grains smaller",
-                                  largest_grain * 1e6, what, size * 1e6));
+    section.fail_here(
+        fmt::format("has grains up to {:.4g} um (coarse_grain included), but {} is "
+                    "only {:.4g} um; make it wider or the grains smaller",
+                    largest_grain * 1e6, what, size * 1e6));
   };
   if (const auto* slice = std::get_if<mesh::Slice>(&column.shape)) {
     if (slice->depth < largest_grain) refuse("column.slice_depth", slice->depth);
@@ -141,16 +150,20 @@ void check_resins_of_beads(const resin::Library& library, const BeadOptions& bea
   for (std::size_t i = 0; i < beads.table.resin.size(); ++i) {
     const auto& name = beads.table.resin[i];
     if (library.find(name) != nullptr) continue;
-    throw ConfigError(fmt::format("{}: resin = \"{}\" of bead {} is not in the library; `packbed "
-                                  "resins` lists it",
-                                  beads.csv->string(), name, i + 1));
+    throw ConfigError(
+        fmt::format("{}: resin = \"{}\" of bead {} is not in the library; `packbed "
+                    "resins` lists it",
+                    beads.csv->string(), name, i + 1));
   }
 }
 
 }  // namespace
 
-ResinOptions read_resin(Section section, const UnitSystem& units, resin::Library library,
-                        const BeadOptions& beads, const ColumnOptions& column) {
+ResinOptions read_resin(Section section,
+                        const UnitSystem& units,
+                        resin::Library library,
+                        const BeadOptions& beads,
+                        const ColumnOptions& column) {
   ResinOptions options;
   const auto name = section.optional_word("name");
   if (const auto own = section.optional_file("library")) library.add(read_library(*own, units));
@@ -161,8 +174,8 @@ ResinOptions read_resin(Section section, const UnitSystem& units, resin::Library
   ResinReader reader(section, resin);
   options.density = reader.unless_per_bead("density", Dimension::density, bounds::positive,
                                            "density", !beads.table.density.empty());
-  options.coarse_grain = section.quantity("coarse_grain", Dimension::fraction, bounds::at_least_1,
-                                          Fallback{"1"});
+  options.coarse_grain =
+      section.quantity("coarse_grain", Dimension::fraction, bounds::at_least_1, Fallback{"1"});
   read_contact(section, reader, beads, options);
   if (beads.csv) {
     section.refuse("sizes", "does not go with beads.csv, which has the diameters");

@@ -14,13 +14,18 @@ namespace packbed::setup {
 ColumnOptions read_column(Section section);
 BeadOptions read_beads(Section section, const ColumnOptions& column);
 /// `library` has the resins that the program comes with; the case may add its own.
-ResinOptions read_resin(Section section, const UnitSystem& units, resin::Library library,
-                        const BeadOptions& beads, const ColumnOptions& column);
+ResinOptions read_resin(Section section,
+                        const UnitSystem& units,
+                        resin::Library library,
+                        const BeadOptions& beads,
+                        const ColumnOptions& column);
 LiquidOptions read_liquid(Section section);
 /// Steps with a flow need `has_liquid`. The number of beads comes from [beads] or from the bed
 /// height of the first settling, never from both.
-std::vector<ProtocolStep> read_protocol(std::vector<Section> sections, const ColumnOptions& column,
-                                        const BeadOptions& beads, bool has_liquid);
+std::vector<ProtocolStep> read_protocol(std::vector<Section> sections,
+                                        const ColumnOptions& column,
+                                        const BeadOptions& beads,
+                                        bool has_liquid);
 NumericsOptions read_numerics(Section section);
 OutputOptions read_output(Section section, const std::filesystem::path& case_file);
 

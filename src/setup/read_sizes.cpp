@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "setup/read_sizes.hpp"
+
 #include <cmath>
 #include <utility>
 
@@ -6,7 +8,6 @@
 
 #include "core/csv.hpp"
 #include "core/error.hpp"
-#include "setup/read_sizes.hpp"
 
 namespace packbed::setup {
 namespace {
@@ -27,7 +28,8 @@ int find_named(const CsvTable& table, std::string_view name, std::string& unit) 
   return -1;
 }
 
-LengthColumn length_column(const CsvTable& table, std::string_view name,
+LengthColumn length_column(const CsvTable& table,
+                           std::string_view name,
                            std::string_view whole_header) {
   std::string unit;
   const int column = find_named(table, name, unit);
@@ -42,18 +44,21 @@ LengthColumn length_column(const CsvTable& table, std::string_view name,
   return {column, unit};
 }
 
-double length(const CsvTable& table, std::size_t row, const LengthColumn& column,
+double length(const CsvTable& table,
+              std::size_t row,
+              const LengthColumn& column,
               const UnitSystem& units) {
   const double number = table.number(row, column.column);
   try {
     return units.to_si(fmt::format("{} {}", number, column.unit), Dimension::length);
   } catch (const ValueError& error) {
-    throw ConfigError(fmt::format("{}: unit [{}] is refused: {}", table.header_place(),
-                                  column.unit, error.what()));
+    throw ConfigError(fmt::format("{}: unit [{}] is refused: {}", table.header_place(), column.unit,
+                                  error.what()));
   }
 }
 
-resin::SizeDistribution read_histogram(const std::filesystem::path& file, const UnitSystem& units,
+resin::SizeDistribution read_histogram(const std::filesystem::path& file,
+                                       const UnitSystem& units,
                                        resin::Weighting weighting) {
   const CsvTable table(file);
   constexpr auto header = "lower [um],upper [um],share";
@@ -77,8 +82,7 @@ resin::SizeDistribution read_histogram(const std::filesystem::path& file, const 
   }
 }
 
-resin::SizeDistribution read_measured(const std::filesystem::path& file,
-                                      const UnitSystem& units) {
+resin::SizeDistribution read_measured(const std::filesystem::path& file, const UnitSystem& units) {
   const CsvTable table(file);
   const auto column = length_column(table, "diameter", "diameter [um]");
   std::vector<double> diameters;
@@ -99,7 +103,9 @@ std::optional<Fallback> from_library(const resin::Resin* resin, std::string_view
   return Fallback{p->text, library_origin(*p)};
 }
 
-double read_length(Section& section, const resin::Resin* resin, std::string_view key,
+double read_length(Section& section,
+                   const resin::Resin* resin,
+                   std::string_view key,
                    std::string_view library_key) {
   const auto fallback = from_library(resin, library_key);
   if (!section.has(key) && !fallback && resin != nullptr) {
@@ -149,26 +155,33 @@ std::string library_origin(const resin::Property& property) {
                      property.where);
 }
 
-resin::SizeDistribution read_sizes(Section section, const UnitSystem& units,
+resin::SizeDistribution read_sizes(Section section,
+                                   const UnitSystem& units,
                                    const resin::Resin* resin) {
-  const auto kind =
-      section.choice("distribution", {"normal", "lognormal", "histogram", "measured", "monodisperse"},
-                     Fallback{"normal"});
+  const auto kind = section.choice("distribution",
+                                   {"normal", "lognormal", "histogram", "measured", "monodisperse"},
+                                   Fallback{"normal"});
   resin::SizeDistribution sizes = resin::Monodisperse{0.0};
   try {
     switch (kind) {
-      case 0: sizes = read_normal(section, resin); break;
-      case 1: sizes = read_lognormal(section); break;
+      case 0:
+        sizes = read_normal(section, resin);
+        break;
+      case 1:
+        sizes = read_lognormal(section);
+        break;
       case 2: {
-        const auto weighting = static_cast<resin::Weighting>(
-            section.choice("share_of", {"number", "volume"}));
+        const auto weighting =
+            static_cast<resin::Weighting>(section.choice("share_of", {"number", "volume"}));
         sizes = read_histogram(read_file_key(section), units, weighting);
         break;
       }
-      case 3: sizes = read_measured(read_file_key(section), units); break;
+      case 3:
+        sizes = read_measured(read_file_key(section), units);
+        break;
       default:
-        sizes = resin::Monodisperse{
-            section.quantity("diameter", Dimension::length, bounds::positive)};
+        sizes =
+            resin::Monodisperse{section.quantity("diameter", Dimension::length, bounds::positive)};
     }
   } catch (const ValueError& error) {
     section.fail_here(error.what());

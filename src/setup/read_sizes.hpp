@@ -11,7 +11,8 @@ namespace packbed::setup {
 
 /// Reads [resin.sizes]; what it leaves out of a normal distribution comes from `resin`, which may
 /// be null.
-resin::SizeDistribution read_sizes(Section section, const UnitSystem& units,
+resin::SizeDistribution read_sizes(Section section,
+                                   const UnitSystem& units,
                                    const resin::Resin* resin);
 
 /// "library: thesis, table 6.1", the origin of a value in the echo.

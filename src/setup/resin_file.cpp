@@ -55,12 +55,14 @@ constexpr std::array keys = {
     ResinKey{"compression_factor", fraction, bounds::at_least_1, "settled / packed volume"},
 };
 
-constexpr std::array<std::string_view, 5> modulus_keys = {"instantaneous", "relaxed",
-                                                          "shear_instantaneous", "shear_relaxed",
-                                                          "fitted"};
+constexpr std::array<std::string_view, 5> modulus_keys = {
+    "instantaneous", "relaxed", "shear_instantaneous", "shear_relaxed", "fitted"};
 
-resin::Property property(Section& section, std::string_view value_key, std::string_view name,
-                         Dimension dimension, const Bounds& bounds) {
+resin::Property property(Section& section,
+                         std::string_view value_key,
+                         std::string_view name,
+                         Dimension dimension,
+                         const Bounds& bounds) {
   resin::Property p;
   p.key = name;
   p.si = section.quantity(value_key, dimension, bounds);
@@ -132,13 +134,13 @@ resin::Resin read_resin_entry(Section section) {
 
 void check_sources(const resin::Library& library, const std::filesystem::path& file) {
   const auto check = [&](const resin::Resin& resin, const std::string& source) {
-    if (std::ranges::find(library.sources, source, &resin::Source::name) !=
-        library.sources.end()) {
+    if (std::ranges::find(library.sources, source, &resin::Source::name) != library.sources.end()) {
       return;
     }
-    throw ConfigError(fmt::format("{}: resin \"{}\" names the source \"{}\", but there is no "
-                                  "[source.{}]",
-                                  file.string(), resin.name, source, source));
+    throw ConfigError(
+        fmt::format("{}: resin \"{}\" names the source \"{}\", but there is no "
+                    "[source.{}]",
+                    file.string(), resin.name, source, source));
   };
   for (const auto& resin : library.resins) {
     for (const auto& p : resin.properties) check(resin, p.source);
@@ -146,7 +148,8 @@ void check_sources(const resin::Library& library, const std::filesystem::path& f
   }
 }
 
-resin::Library read_library_text(std::string_view text, const std::filesystem::path& file,
+resin::Library read_library_text(std::string_view text,
+                                 const std::filesystem::path& file,
                                  const UnitSystem& units) {
   const auto table = parse_toml(text, file);
   Reading reading{units, file, {}};

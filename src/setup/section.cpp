@@ -87,10 +87,7 @@ toml::table parse_toml(std::string_view text, const std::filesystem::path& file)
 }
 
 Section::Section(Reading& reading, const toml::table& table, std::string name, std::string header)
-    : reading_(&reading),
-      table_(&table),
-      name_(std::move(name)),
-      header_(std::move(header)) {}
+    : reading_(&reading), table_(&table), name_(std::move(name)), header_(std::move(header)) {}
 
 // Made with its first key, so that tables stand in the order in which they were read.
 EchoTable& Section::echo() {
@@ -116,8 +113,7 @@ std::string Section::full(std::string_view key) const {
 void Section::fail(std::string_view key, std::string_view message) const {
   const auto* node = table_->get(key);
   if (node == nullptr) fail_missing(key, message);
-  throw ConfigError(
-      fmt::format("{}: {} = {} {}", place(node), full(key), as_text(*node), message));
+  throw ConfigError(fmt::format("{}: {} = {} {}", place(node), full(key), as_text(*node), message));
 }
 
 void Section::fail_missing(std::string_view key, std::string_view message) const {
@@ -126,8 +122,8 @@ void Section::fail_missing(std::string_view key, std::string_view message) const
     const std::string name(found.str());
     const std::array<std::string, 1> wanted = {std::string(key)};
     if (std::ranges::find(known_, name) == known_.end() && nearest(name, wanted)) {
-      throw ConfigError(fmt::format("{}: {} is not a known key, did you mean \"{}\"?",
-                                    place(&node), full(name), key));
+      throw ConfigError(fmt::format("{}: {} is not a known key, did you mean \"{}\"?", place(&node),
+                                    full(name), key));
     }
   }
   throw ConfigError(fmt::format("{}: {} {}", place(table_), full(key), message));
@@ -146,11 +142,11 @@ void Section::finish() const {
     const std::string found(key.str());
     if (std::ranges::find(known_, found) != known_.end()) continue;
     const auto near = nearest(found, known_);
-    throw ConfigError(fmt::format(
-        "{}: {} is not a known key{}; known {}: {}", place(&node), full(found),
-        near ? fmt::format(", did you mean \"{}\"?", *near) : "",
-        name_.empty() ? "at the top are" : fmt::format("in {} are", header_),
-        fmt::join(known_, ", ")));
+    throw ConfigError(
+        fmt::format("{}: {} is not a known key{}; known {}: {}", place(&node), full(found),
+                    near ? fmt::format(", did you mean \"{}\"?", *near) : "",
+                    name_.empty() ? "at the top are" : fmt::format("in {} are", header_),
+                    fmt::join(known_, ", ")));
   }
 }
 
@@ -166,12 +162,16 @@ void Section::note(EchoEntry entry, bool given, const std::optional<Fallback>& f
   echo().entries.push_back(std::move(entry));
 }
 
-void Section::note_word(std::string_view key, const std::string& word, bool given,
+void Section::note_word(std::string_view key,
+                        const std::string& word,
+                        bool given,
                         const std::optional<Fallback>& fallback) {
   note({.key = std::string(key), .toml = toml_string(word), .words = {word}}, given, fallback);
 }
 
-double Section::convert(std::string_view key, const std::string& text, Dimension dimension,
+double Section::convert(std::string_view key,
+                        const std::string& text,
+                        Dimension dimension,
                         const Bounds& bounds) const {
   double value = 0.0;
   try {
@@ -183,7 +183,8 @@ double Section::convert(std::string_view key, const std::string& text, Dimension
   return value;
 }
 
-std::optional<std::string> Section::quantity_text(std::string_view key, Dimension dimension,
+std::optional<std::string> Section::quantity_text(std::string_view key,
+                                                  Dimension dimension,
                                                   const std::optional<Fallback>& fallback) {
   const auto* node = find(key);
   if (node == nullptr) {
@@ -203,7 +204,9 @@ std::optional<std::string> Section::quantity_text(std::string_view key, Dimensio
   fail(key, fmt::format("is not a quantity; {}", such_as(key, dimension)));
 }
 
-double Section::quantity(std::string_view key, Dimension dimension, const Bounds& bounds,
+double Section::quantity(std::string_view key,
+                         Dimension dimension,
+                         const Bounds& bounds,
                          const std::optional<Fallback>& fallback) {
   const bool given = has(key);
   const auto text = quantity_text(key, dimension, fallback);
@@ -219,14 +222,16 @@ double Section::quantity(std::string_view key, Dimension dimension, const Bounds
   return value;
 }
 
-std::optional<double> Section::optional_quantity(std::string_view key, Dimension dimension,
+std::optional<double> Section::optional_quantity(std::string_view key,
+                                                 Dimension dimension,
                                                  const Bounds& bounds) {
   if (has(key)) return quantity(key, dimension, bounds);
   mention(key);
   return std::nullopt;
 }
 
-std::array<double, 3> Section::three_quantities(std::string_view key, Dimension dimension,
+std::array<double, 3> Section::three_quantities(std::string_view key,
+                                                Dimension dimension,
                                                 const Bounds& bounds) {
   const auto [name, example] = expected(key, dimension);
   const auto wanted =
@@ -252,13 +257,15 @@ std::array<double, 3> Section::three_quantities(std::string_view key, Dimension 
   return values;
 }
 
-std::optional<double> Section::quantity_or_word(std::string_view key, Dimension dimension,
-                                                const Bounds& bounds, std::string_view word,
+std::optional<double> Section::quantity_or_word(std::string_view key,
+                                                Dimension dimension,
+                                                const Bounds& bounds,
+                                                std::string_view word,
                                                 const Fallback& fallback) {
   const bool given = has(key);
   const auto* node = table_->get(key);
-  const bool is_word = given ? node->is_string() && node->as_string()->get() == word
-                             : fallback.text == word;
+  const bool is_word =
+      given ? node->is_string() && node->as_string()->get() == word : fallback.text == word;
   if (!is_word) return quantity(key, dimension, bounds, fallback);
   find(key);
   note_word(key, std::string(word), given, fallback);
@@ -268,8 +275,9 @@ std::optional<double> Section::quantity_or_word(std::string_view key, Dimension 
 double Section::flow(std::string_view key, double area, const std::optional<Fallback>& fallback) {
   const bool given = has(key);
   const auto text = quantity_text(key, Dimension::velocity, fallback);
-  const auto wanted = "give a superficial velocity such as \"300 cm/h\" or a flow rate such as "
-                      "\"2 L/h\"";
+  const auto wanted =
+      "give a superficial velocity such as \"300 cm/h\" or a flow rate such as "
+      "\"2 L/h\"";
   if (!text) fail_missing(key, fmt::format("is missing; {}", wanted));
   double value = 0.0;
   try {
@@ -300,7 +308,8 @@ std::optional<std::int64_t> Section::optional_integer(std::string_view key, std:
   return std::nullopt;
 }
 
-std::int64_t Section::integer(std::string_view key, std::int64_t low,
+std::int64_t Section::integer(std::string_view key,
+                              std::int64_t low,
                               const std::optional<Fallback>& fallback) {
   const auto* node = find(key);
   if (node == nullptr) {
@@ -351,10 +360,13 @@ std::vector<std::string> Section::words(std::string_view key) {
   if (array == nullptr || !array->is_homogeneous<std::string>()) {
     fail(key, "is refused; give a list of texts such as [\"a\", \"b\"]");
   }
-  for (const auto& item : *array) all.push_back(item.as_string()->get());
   std::vector<std::string> quoted;
-  for (const auto& item : all) quoted.push_back(toml_string(item));
-  note({.key = std::string(key), .toml = list_text(quoted), .words = all, .is_list = true}, true, {});
+  for (const auto& item : *array) {
+    all.push_back(item.as_string()->get());
+    quoted.push_back(toml_string(all.back()));
+  }
+  note({.key = std::string(key), .toml = list_text(quoted), .words = all, .is_list = true}, true,
+       {});
   return all;
 }
 
@@ -364,7 +376,8 @@ std::vector<std::string> Section::keys() const {
   return all;
 }
 
-std::size_t Section::choice(std::string_view key, std::initializer_list<std::string_view> names,
+std::size_t Section::choice(std::string_view key,
+                            std::initializer_list<std::string_view> names,
                             const std::optional<Fallback>& fallback) {
   std::vector<std::string> quoted;
   for (const auto name : names) quoted.push_back(fmt::format("\"{}\"", name));
@@ -416,8 +429,8 @@ std::vector<Section> Section::tables(std::string_view key) {
   }
   // Names count from 1, so that a message points at the third step as protocol[3].
   for (std::size_t i = 0; i < array->size(); ++i) {
-    all.emplace_back(*reading_, *array->get(i)->as_table(),
-                     fmt::format("{}[{}]", full(key), i + 1), header);
+    all.emplace_back(*reading_, *array->get(i)->as_table(), fmt::format("{}[{}]", full(key), i + 1),
+                     header);
   }
   return all;
 }

@@ -41,8 +41,7 @@ namespace bounds {
 inline constexpr Bounds positive{.low = 0.0, .refusal = "must be positive"};
 inline constexpr Bounds not_negative{
     .low = 0.0, .low_belongs = true, .refusal = "must not be negative"};
-inline constexpr Bounds between_0_and_1{
-    .low = 0.0, .high = 1.0, .refusal = "is outside (0, 1)"};
+inline constexpr Bounds between_0_and_1{.low = 0.0, .high = 1.0, .refusal = "is outside (0, 1)"};
 inline constexpr Bounds restitution{
     .low = 0.0,
     .high = 1.0,
@@ -50,7 +49,8 @@ inline constexpr Bounds restitution{
     .refusal = "is outside (0, 1]; 1 is a bead that rebounds as fast as it came"};
 inline constexpr Bounds poisson_ratio{
     .low = -1.0, .high = 0.5, .high_belongs = true, .refusal = "is outside (-1, 0.5]"};
-inline constexpr Bounds at_least_1{.low = 1.0, .low_belongs = true, .refusal = "must be at least 1"};
+inline constexpr Bounds at_least_1{
+    .low = 1.0, .low_belongs = true, .refusal = "must be at least 1"};
 }  // namespace bounds
 
 /// What a key is if the user leaves it out.
@@ -74,23 +74,30 @@ class Section {
   [[nodiscard]] bool has(std::string_view key) const { return table_->contains(key); }
 
   /// Numbers with units; the value in SI. Without a fallback the key is required.
-  double quantity(std::string_view key, Dimension dimension, const Bounds& bounds,
+  double quantity(std::string_view key,
+                  Dimension dimension,
+                  const Bounds& bounds,
                   const std::optional<Fallback>& fallback = {});
-  std::optional<double> optional_quantity(std::string_view key, Dimension dimension,
+  std::optional<double> optional_quantity(std::string_view key,
+                                          Dimension dimension,
                                           const Bounds& bounds);
   /// Three of them, as [ "4 mm", "4 mm", "20 mm" ].
-  std::array<double, 3> three_quantities(std::string_view key, Dimension dimension,
+  std::array<double, 3> three_quantities(std::string_view key,
+                                         Dimension dimension,
                                          const Bounds& bounds);
   /// A quantity, or the word (then nothing is returned).
-  std::optional<double> quantity_or_word(std::string_view key, Dimension dimension,
-                                         const Bounds& bounds, std::string_view word,
+  std::optional<double> quantity_or_word(std::string_view key,
+                                         Dimension dimension,
+                                         const Bounds& bounds,
+                                         std::string_view word,
                                          const Fallback& fallback);
   /// A superficial velocity, given as such or as a flow rate through `area` [m2]; in m/s.
   double flow(std::string_view key, double area, const std::optional<Fallback>& fallback = {});
 
   std::optional<double> optional_flow(std::string_view key, double area);
 
-  std::int64_t integer(std::string_view key, std::int64_t low,
+  std::int64_t integer(std::string_view key,
+                       std::int64_t low,
                        const std::optional<Fallback>& fallback = {});
   std::optional<std::int64_t> optional_integer(std::string_view key, std::int64_t low);
   bool boolean(std::string_view key, bool fallback);
@@ -99,7 +106,8 @@ class Section {
   /// A list of words; none if it is not there.
   std::vector<std::string> words(std::string_view key);
   /// Position of the word among `names`, the only ones accepted.
-  std::size_t choice(std::string_view key, std::initializer_list<std::string_view> names,
+  std::size_t choice(std::string_view key,
+                     std::initializer_list<std::string_view> names,
                      const std::optional<Fallback>& fallback = {});
   /// A file that exists, taken from the folder of the case, as messages should name it; the echo
   /// has its full path.
@@ -136,11 +144,15 @@ class Section {
   [[nodiscard]] std::optional<std::string> quantity_text(std::string_view key,
                                                          Dimension dimension,
                                                          const std::optional<Fallback>& fallback);
-  [[nodiscard]] double convert(std::string_view key, const std::string& text, Dimension dimension,
+  [[nodiscard]] double convert(std::string_view key,
+                               const std::string& text,
+                               Dimension dimension,
                                const Bounds& bounds) const;
   /// Keeps a value in the echo; `fallback` tells where it came from if it was not given.
   void note(EchoEntry entry, bool given, const std::optional<Fallback>& fallback);
-  void note_word(std::string_view key, const std::string& word, bool given,
+  void note_word(std::string_view key,
+                 const std::string& word,
+                 bool given,
                  const std::optional<Fallback>& fallback);
   EchoTable& echo();
 

@@ -49,9 +49,9 @@ TEST(Check, OfTheQuickstartIsACaseFileAgain) {
 
 TEST(Check, IsTheSameUnderADecimalCommaLocale) {
   const auto plain = run_packbed("check cases/quickstart.toml");
-  const auto german = test::run_shell(std::string("LC_ALL=de_DE.UTF-8 ") + PACKBED_PROGRAM +
-                                          " check cases/quickstart.toml",
-                                      PACKBED_SOURCE_DIR);
+  const auto german = test::run_shell(
+      std::string("LC_ALL=de_DE.UTF-8 ") + PACKBED_PROGRAM + " check cases/quickstart.toml",
+      PACKBED_SOURCE_DIR);
   EXPECT_EQ(german.out, plain.out);
 }
 

@@ -39,7 +39,9 @@ TEST_P(WrongCase, IsRefusedInOneLineAsItSays) {
   EXPECT_EQ(check.code, 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(CasesErrors, WrongCase, testing::ValuesIn(wrong_cases()),
+INSTANTIATE_TEST_SUITE_P(CasesErrors,
+                         WrongCase,
+                         testing::ValuesIn(wrong_cases()),
                          [](const auto& param) { return param.param; });
 
 }  // namespace

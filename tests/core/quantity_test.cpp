@@ -31,8 +31,8 @@ TEST_F(Quantities, OfTheFieldAreReadToTheLastBit) {
   EXPECT_EQ(si("90 um", length), 9e-5);
   EXPECT_EQ(si("86.9 um", length), 8.69e-5);
   EXPECT_EQ(si("90um", length), 9e-5);
-  EXPECT_EQ(si("90 µm", length), 9e-5);        // U+00B5
-  EXPECT_EQ(si("90 \u03BCm", length), 9e-5);   // Greek mu
+  EXPECT_EQ(si("90 µm", length), 9e-5);       // U+00B5
+  EXPECT_EQ(si("90 \u03BCm", length), 9e-5);  // Greek mu
   EXPECT_EQ(si("31 mm", length), 0.031);
   EXPECT_EQ(si("20 mm/min", velocity), 20.0 / 60000.0);
   EXPECT_EQ(si("2763 cm/h", velocity), 2763.0 / 360000.0);

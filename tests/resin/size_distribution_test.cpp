@@ -83,8 +83,7 @@ TEST(Lognormal, UncutHasItsClosedForms) {
   EXPECT_LT(relative(f.median, median), round_off);
   EXPECT_LT(relative(f.sauter, median * std::exp(2.5 * s * s)), round_off);
   EXPECT_LT(relative(f.volume_mean, median * std::exp(1.5 * s * s)), round_off);
-  EXPECT_LT(relative(f.standard_deviation,
-                     f.mean * std::sqrt(std::exp(s * s) - 1.0)),
+  EXPECT_LT(relative(f.standard_deviation, f.mean * std::sqrt(std::exp(s * s) - 1.0)),
             1e-10);  // difference of two moments
   // The volume is log-normal too, with the median moved by 3 s^2; z(90 %) = 1.2815515655446004.
   const double volume_median = median * std::exp(3.0 * s * s);
@@ -101,15 +100,15 @@ TEST(Histogram, OfOneBinIsUniform) {
 
   EXPECT_LT(relative(f.mean, 0.5 * (a + b)), round_off);
   EXPECT_LT(relative(f.standard_deviation, (b - a) / std::sqrt(12.0)), 1e-10);
-  EXPECT_LT(relative(f.sauter, 0.75 * (std::pow(b, 4) - std::pow(a, 4)) /
-                                   (std::pow(b, 3) - std::pow(a, 3))),
+  EXPECT_LT(relative(f.sauter,
+                     0.75 * (std::pow(b, 4) - std::pow(a, 4)) / (std::pow(b, 3) - std::pow(a, 3))),
             round_off);
   EXPECT_LT(relative(f.d50, std::pow(0.5 * (std::pow(a, 4) + std::pow(b, 4)), 0.25)), round_off);
 }
 
 TEST(Histogram, ByVolumeKeepsTheVolumeShares) {
-  const std::vector<Bin> bins = {{40 * um, 60 * um, 30.0}, {60 * um, 90 * um, 50.0},
-                                 {100 * um, 120 * um, 20.0}};
+  const std::vector<Bin> bins = {
+      {40 * um, 60 * um, 30.0}, {60 * um, 90 * um, 50.0}, {100 * um, 120 * um, 20.0}};
   const auto d = Histogram::from(bins, Weighting::volume);
 
   const double all = d.partial_moment(3, 1.0);
@@ -132,7 +131,7 @@ TEST(Histogram, ByNumberAndByVolumeAgreeOnTheSameBeads) {
 }
 
 TEST(Histogram, RefusesBadBinsNamingThem) {
-  const auto from = [](std::vector<Bin> bins) {
+  const auto from = [](const std::vector<Bin>& bins) {
     return test::message_of([=] { Histogram::from(bins, Weighting::number); });
   };
   EXPECT_THAT(from({{5e-5, 6e-5, 1}, {5.5e-5, 7e-5, 1}}), HasSubstr("bin 2"));

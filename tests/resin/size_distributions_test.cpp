@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What must hold for every size distribution, whichever it is.
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -29,8 +31,8 @@ Lognormal example() {
 }
 template <>
 Histogram example() {
-  const std::vector<Bin> bins = {{50 * um, 70 * um, 1.0}, {70 * um, 80 * um, 3.0},
-                                 {90 * um, 120 * um, 2.0}};
+  const std::vector<Bin> bins = {
+      {50 * um, 70 * um, 1.0}, {70 * um, 80 * um, 3.0}, {90 * um, 120 * um, 2.0}};
   return Histogram::from(bins, Weighting::number);
 }
 template <>
@@ -48,12 +50,12 @@ struct AsTypes<std::variant<Distributions...>>
 template <class Distribution>
 class SizeDistributions : public testing::Test {
  protected:
-  Distribution d = example<Distribution>();
+  Distribution distribution = example<Distribution>();
 };
 TYPED_TEST_SUITE(SizeDistributions, AsTypes<SizeDistribution>::type);
 
 TYPED_TEST(SizeDistributions, HoldsAllBeadsBetweenSmallestAndLargest) {
-  const auto& d = this->d;
+  const auto& d = this->distribution;
   EXPECT_NEAR(d.partial_moment(0, d.largest()), 1.0, 1e-12);
   EXPECT_EQ(d.partial_moment(0, 0.999 * d.smallest()), 0.0);
   EXPECT_GE(d.quantile(0.0), d.smallest());
@@ -61,12 +63,13 @@ TYPED_TEST(SizeDistributions, HoldsAllBeadsBetweenSmallestAndLargest) {
 }
 
 TYPED_TEST(SizeDistributions, QuantileInvertsTheShareOfBeads) {
-  const auto& d = this->d;
+  const auto& d = this->distribution;
   double before = 0.0;
-  for (double u = 0.01; u < 1.0; u += 0.01) {
+  for (int percent = 1; percent < 100; ++percent) {
+    const double u = 0.01 * percent;
     const double x = d.quantile(u);
     EXPECT_GE(x, before);
-    EXPECT_GE(d.partial_moment(0, x), u - 1e-12);         // at most the share u is smaller ...
+    EXPECT_GE(d.partial_moment(0, x), u - 1e-12);              // at most the share u is smaller ...
     EXPECT_LE(d.partial_moment(0, x * (1 - 1e-9)), u + 1e-7);  // ... 1e-9 of d below it: 1e-7 of u
     before = x;
   }
@@ -74,7 +77,7 @@ TYPED_TEST(SizeDistributions, QuantileInvertsTheShareOfBeads) {
 
 // The mean of any power over the quantiles is the moment: int_0^1 q(u)^k du.
 TYPED_TEST(SizeDistributions, MomentsAreMeansOverTheQuantiles) {
-  const auto& d = this->d;
+  const auto& d = this->distribution;
   for (int k = 1; k <= 4; ++k) {
     double mean = 0.0;
     constexpr int cells = 20000;
@@ -87,7 +90,7 @@ TYPED_TEST(SizeDistributions, MomentsAreMeansOverTheQuantiles) {
 }
 
 TYPED_TEST(SizeDistributions, FiguresAreInOrder) {
-  const auto f = statistics(this->d);
+  const auto f = statistics(this->distribution);
   EXPECT_LE(f.smallest, f.d10);
   EXPECT_LE(f.d10, f.d50);
   EXPECT_LE(f.d50, f.d90);
@@ -96,30 +99,40 @@ TYPED_TEST(SizeDistributions, FiguresAreInOrder) {
   EXPECT_LE(f.volume_mean, f.sauter * (1 + 1e-12));
 }
 
-TYPED_TEST(SizeDistributions, SamplesAreReproducibleAndFollowTheDistribution) {
-  const SizeDistribution d = this->d;
-  const auto f = statistics(d);
-  constexpr std::uint64_t n = 20000;
-  double mean = 0.0;
-  double cube = 0.0;
-  for (std::uint64_t i = 0; i < n; ++i) {
-    const double x = sample(d, 1, i);
-    EXPECT_EQ(x, sample(d, 1, i));
-    EXPECT_GE(x, f.smallest);
-    EXPECT_LE(x, f.largest);
-    mean += x / n;
-    cube += x * x * x / n;
-  }
+std::vector<double> samples(const SizeDistribution& d, std::uint64_t seed, std::uint64_t count) {
+  std::vector<double> x;
+  for (std::uint64_t i = 0; i < count; ++i) x.push_back(sample(d, seed, i));
+  return x;
+}
 
-  // 4 standard errors of the mean; of the cube with its spread bounded by that of the largest bead
-  EXPECT_NEAR(mean, f.mean, 4.0 * f.standard_deviation / std::sqrt(n) + 1e-12 * f.mean);
-  const double spread = std::pow(f.largest, 3) - std::pow(f.smallest, 3);
-  EXPECT_NEAR(cube, std::pow(f.volume_mean, 3),
-              4.0 * spread / std::sqrt(n) + 1e-12 * std::pow(f.mean, 3));
+double mean_power(const std::vector<double>& x, int k) {
+  double sum = 0.0;
+  for (const double value : x) sum += std::pow(value, k);
+  return sum / static_cast<double>(x.size());
+}
+
+TYPED_TEST(SizeDistributions, SamplesAreReproducible) {
+  const SizeDistribution d = this->distribution;
+  EXPECT_EQ(samples(d, 1, 100), samples(d, 1, 100));
+}
+
+TYPED_TEST(SizeDistributions, SamplesFollowTheDistribution) {
+  const SizeDistribution d = this->distribution;
+  const auto f = statistics(d);
+  constexpr int n = 20000;
+  const auto x = samples(d, 1, n);
+
+  // 4 standard errors; that of the cube is bounded by the range of cubes
+  const double cubes = std::pow(f.largest, 3) - std::pow(f.smallest, 3);
+  EXPECT_NEAR(mean_power(x, 1), f.mean, 4.0 * f.standard_deviation / std::sqrt(n) + 1e-12 * f.mean);
+  EXPECT_NEAR(mean_power(x, 3), std::pow(f.volume_mean, 3),
+              4.0 * cubes / std::sqrt(n) + 1e-12 * std::pow(f.mean, 3));
+  EXPECT_GE(*std::ranges::min_element(x), f.smallest);
+  EXPECT_LE(*std::ranges::max_element(x), f.largest);
 }
 
 TYPED_TEST(SizeDistributions, AnotherSeedGivesOtherBeads) {
-  const SizeDistribution d = this->d;
+  const SizeDistribution d = this->distribution;
   if (smallest(d) == largest(d)) return;
   int same = 0;
   for (std::uint64_t i = 0; i < 100; ++i) same += sample(d, 1, i) == sample(d, 2, i) ? 1 : 0;

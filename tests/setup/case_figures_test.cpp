@@ -90,12 +90,14 @@ TEST(CaseFigures, SayThatAPorosityIsAssumed) {
 
 TEST(CaseFigures, OfABeadFileAreItsSums) {
   const test::TemporaryFolder folder;
-  (void)folder.file("b.csv", "x_m,y_m,z_m,diameter_m,density_kg_m3\n"
-                             "1e-3,1e-3,1e-3,1e-4,1000\n1e-3,1e-3,2e-3,2e-4,2000\n");
-  const auto c = read_case(folder.file("c.toml", "[column]\nshape = \"box\"\n"
-                                                 "size = [\"4 mm\", \"4 mm\", \"4 mm\"]\n"
-                                                 "[resin]\nname = \"SEP\"\n"
-                                                 "[beads]\ncsv = \"b.csv\"\n"),
+  (void)folder.file("b.csv",
+                    "x_m,y_m,z_m,diameter_m,density_kg_m3\n"
+                    "1e-3,1e-3,1e-3,1e-4,1000\n1e-3,1e-3,2e-3,2e-4,2000\n");
+  const auto c = read_case(folder.file("c.toml",
+                                       "[column]\nshape = \"box\"\n"
+                                       "size = [\"4 mm\", \"4 mm\", \"4 mm\"]\n"
+                                       "[resin]\nname = \"SEP\"\n"
+                                       "[beads]\ncsv = \"b.csv\"\n"),
                            UnitSystem());
 
   const auto f = figures(c);
@@ -109,8 +111,9 @@ TEST(CaseFigures, OfABeadFileAreItsSums) {
 }
 
 TEST(CaseFigures, OfAnEmptyBedAreZero) {
-  const auto f = figures_of("[column]\nshape = \"cylinder\"\ninner_diameter = \"1 cm\"\n"
-                            "height = \"3 cm\"\n[resin]\nname = \"SEP\"\n[beads]\ncount = 0\n");
+  const auto f = figures_of(
+      "[column]\nshape = \"cylinder\"\ninner_diameter = \"1 cm\"\n"
+      "height = \"3 cm\"\n[resin]\nname = \"SEP\"\n[beads]\ncount = 0\n");
   EXPECT_EQ(f.bead_count, 0.0);
   EXPECT_EQ(f.bead_mass, 0.0);
   EXPECT_EQ(f.memory, 0.0);

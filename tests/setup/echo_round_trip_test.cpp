@@ -46,13 +46,14 @@ std::string column() {
       text += maybe("boundaries", fmt::format("{{ x = \"{}\", z = \"wall\" }}",
                                               *element("periodic", "wall", "open")));
   }
-  return text + maybe("wall", fmt::format("{{ youngs_modulus = {} }}",
-                                          quantity(1, 70, {"GPa", "kbar"})));
+  return text +
+         maybe("wall", fmt::format("{{ youngs_modulus = {} }}", quantity(1, 70, {"GPa", "kbar"})));
 }
 
 std::string sizes() {
   switch (*rc::gen::inRange(0, 4)) {
-    case 0: return "";
+    case 0:
+      return "";
     case 1:
       return fmt::format("[resin.sizes]\nmean = {}\n{}", quantity(80, 90, {"um"}),
                          maybe("standard_deviation", quantity(10, 20, {"um", "micron"})));
@@ -88,12 +89,14 @@ std::string flow() {
 std::string step(const std::string& header, int depth) {
   const auto start = fmt::format("[[{}]]\nstep = ", header);
   switch (*rc::gen::inRange(0, depth > 1 ? 4 : 5)) {
-    case 0: return start + fmt::format("\"run\"\nduration = {}\n", quantity(1, 900, {"ms", "s"}));
+    case 0:
+      return start + fmt::format("\"run\"\nduration = {}\n", quantity(1, 900, {"ms", "s"}));
     case 1:
       return start + "\"flow_ramp\"\nto = " + flow() + "\n" + maybe("from", flow()) +
              maybe("steps", "20") + maybe("hold", quantity(0.1, 2, {"s", "min"})) +
              maybe("change", "\"jump\"");
-    case 2: return start + "\"hold\"\nduration = \"1 s\"\n" + maybe("flow", flow());
+    case 2:
+      return start + "\"hold\"\nduration = \"1 s\"\n" + maybe("flow", flow());
     case 3:
       return start + "\"compress\"\nspeed = " + quantity(1, 30, {"mm/min"}) + "\n" +
              *element<std::string>("compression = \"2.5 %\"\n", "compression_factor = 1.15\n",
@@ -113,7 +116,8 @@ std::string settle() {
 }
 
 std::string random_case() {
-  std::string text = maybe("title", "\"A \\\"quoted\\\" title, with # and ä\"") + column() + resin();
+  std::string text =
+      maybe("title", "\"A \\\"quoted\\\" title, with # and ä\"") + column() + resin();
   text += "[liquid]\n" + maybe("temperature", quantity(4, 40, {"degC"}));
   if (*rc::gen::arbitrary<bool>()) text += settle();
   const int count = *rc::gen::inRange(0, 5);

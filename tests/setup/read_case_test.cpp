@@ -37,9 +37,8 @@ TEST_F(ReadCase, FillsInTheLibraryAndTheDefaults) {
   const auto c = read(slice_of_sep);
 
   EXPECT_EQ(c.title, "case");
-  EXPECT_EQ(c.column.shape,
-            mesh::ColumnShape(mesh::Slice{
-                .inner_diameter = 9.6e-3, .depth = 0.9e-3, .height = 70e-3}));
+  EXPECT_EQ(c.column.shape, mesh::ColumnShape(mesh::Slice{
+                                .inner_diameter = 9.6e-3, .depth = 0.9e-3, .height = 70e-3}));
   EXPECT_EQ(c.column.wall, (Material{.youngs_modulus = 1e10, .poisson_ratio = 0.5}));
   EXPECT_EQ(c.resin.density, 1140.0);
   EXPECT_EQ(c.resin.youngs_modulus, 30e6);
@@ -53,8 +52,8 @@ TEST_F(ReadCase, FillsInTheLibraryAndTheDefaults) {
   EXPECT_EQ(c.resin.rolling, RollingLawName::epsd);
   EXPECT_FALSE(c.resin.tension);
   EXPECT_EQ(c.resin.coarse_grain, 1.0);
-  EXPECT_EQ(c.resin.sizes, resin::SizeDistribution(resin::TruncatedNormal::from(
-                               86.9e-6, 16.6e-6, 49.7e-6, 142.7e-6)));
+  EXPECT_EQ(c.resin.sizes, resin::SizeDistribution(
+                               resin::TruncatedNormal::from(86.9e-6, 16.6e-6, 49.7e-6, 142.7e-6)));
   EXPECT_FALSE(c.liquid);
   EXPECT_FALSE(c.numerics.step);
   EXPECT_FALSE(c.numerics.inertia_scale);
@@ -64,13 +63,14 @@ TEST_F(ReadCase, FillsInTheLibraryAndTheDefaults) {
 }
 
 TEST_F(ReadCase, TakesTheUsersValueBeforeTheLibrarys) {
-  const auto c = read(slice_of_sep + "density = \"1.2 g/mL\"\nfriction = 0.25\n"
-                                     "sizes = { mean = \"90 um\" }\n");
+  const auto c = read(slice_of_sep +
+                      "density = \"1.2 g/mL\"\nfriction = 0.25\n"
+                      "sizes = { mean = \"90 um\" }\n");
 
   EXPECT_EQ(c.resin.density, 1200.0);
   EXPECT_EQ(c.resin.friction, 0.25);
-  EXPECT_EQ(c.resin.sizes, resin::SizeDistribution(resin::TruncatedNormal::from(
-                               90e-6, 16.6e-6, 49.7e-6, 142.7e-6)));
+  EXPECT_EQ(c.resin.sizes, resin::SizeDistribution(
+                               resin::TruncatedNormal::from(90e-6, 16.6e-6, 49.7e-6, 142.7e-6)));
 }
 
 TEST_F(ReadCase, HertzTakesTheRelaxedModulus) {
@@ -81,8 +81,9 @@ TEST_F(ReadCase, HertzTakesTheRelaxedModulus) {
 }
 
 TEST_F(ReadCase, SaysWhatTheLibraryDoesNotKnow) {
-  const std::string column = "[column]\nshape = \"cylinder\"\ninner_diameter = \"1 cm\"\n"
-                             "height = \"3 cm\"\n";
+  const std::string column =
+      "[column]\nshape = \"cylinder\"\ninner_diameter = \"1 cm\"\n"
+      "height = \"3 cm\"\n";
   EXPECT_THAT(refusal(column + "[resin]\nname = \"TOY\"\n"),
               HasSubstr("the library has no youngs_modulus_linear for \"Toyopearl AF-Amino-650M\"; "
                         "give a modulus such as \"30 MPa\", or use contact = \"hertz\" with the "
@@ -109,8 +110,8 @@ sizes = { distribution = "monodisperse", diameter = "100 um" }
 
   const auto& box = std::get<mesh::Box>(c.column.shape);
   EXPECT_EQ(box.size, (std::array{4e-3, 5e-3, 20e-3}));
-  EXPECT_EQ(box.boundaries, (std::array{mesh::Boundary::periodic, mesh::Boundary::wall,
-                                        mesh::Boundary::open}));
+  EXPECT_EQ(box.boundaries,
+            (std::array{mesh::Boundary::periodic, mesh::Boundary::wall, mesh::Boundary::open}));
   EXPECT_EQ(c.resin.poisson_ratio, 0.5);
   EXPECT_EQ(c.resin.rolling, RollingLawName::none);
   EXPECT_TRUE(c.resin.tension);
@@ -125,8 +126,9 @@ TEST_F(ReadCase, WaterFollowsItsTemperature) {
 }
 
 TEST_F(ReadCase, LiquidOfTheUser) {
-  const auto c = read(slice_of_sep + "[liquid]\nname = \"20 % ethanol\"\n"
-                                     "density = \"0.97 g/mL\"\nviscosity = \"2.1 cP\"\n");
+  const auto c = read(slice_of_sep +
+                      "[liquid]\nname = \"20 % ethanol\"\n"
+                      "density = \"0.97 g/mL\"\nviscosity = \"2.1 cP\"\n");
   EXPECT_EQ(c.liquid->density, 970.0);
   EXPECT_EQ(c.liquid->viscosity, 2.1e-3);
   EXPECT_FALSE(c.liquid->temperature);
@@ -170,9 +172,9 @@ duration = "0.5 s"
   EXPECT_EQ(std::get<Hold>(c.protocol[2].what).flow, 300.0 / 360000.0);
   const auto& repeat = std::get<Repeat>(c.protocol[3].what);
   EXPECT_EQ(repeat.count, 4);
-  EXPECT_EQ(std::get<Compress>(repeat.steps[0].what),
-            (Compress{.speed = 20.0 / 60000.0, .target = CompressTarget::compression,
-                      .value = 0.025}));
+  EXPECT_EQ(
+      std::get<Compress>(repeat.steps[0].what),
+      (Compress{.speed = 20.0 / 60000.0, .target = CompressTarget::compression, .value = 0.025}));
   EXPECT_EQ(std::get<setup::Run>(repeat.steps[1].what).duration, 0.5);
 }
 
@@ -197,8 +199,9 @@ TEST_F(ReadCase, TakesByteOrderMarkAndCrLf) {
 
 TEST_F(ReadCase, BeadsOfAFileAreTakenFromTheFolderOfTheCase) {
   const test::TemporaryFolder folder;
-  (void)folder.file("beads.csv", "x_m,y_m,z_m,diameter_m,fixed\n"
-                                 "1e-3,1e-3,1e-3,1e-4,1\n1e-3,1e-3,1.2e-3,9e-5,0\n");
+  (void)folder.file("beads.csv",
+                    "x_m,y_m,z_m,diameter_m,fixed\n"
+                    "1e-3,1e-3,1e-3,1e-4,1\n1e-3,1e-3,1.2e-3,9e-5,0\n");
   const auto c = read_case(folder.file("two.toml", R"(
 [column]
 shape = "box"
@@ -230,9 +233,10 @@ TEST_F(ReadCase, BeadsMayBringTheirOwnMaterial) {
   (void)folder.file("beads.csv",
                     "x_m,y_m,z_m,diameter_m,density_kg_m3,youngs_modulus_Pa,poisson_ratio\n"
                     "1e-3,1e-3,1e-3,1e-4,1140,3e7,0.2\n");
-  const auto c = read_case(folder.file("one.toml", "[column]\nshape = \"box\"\n"
-                                                   "size = [\"4 mm\", \"4 mm\", \"4 mm\"]\n"
-                                                   "[beads]\ncsv = \"beads.csv\"\n"),
+  const auto c = read_case(folder.file("one.toml",
+                                       "[column]\nshape = \"box\"\n"
+                                       "size = [\"4 mm\", \"4 mm\", \"4 mm\"]\n"
+                                       "[beads]\ncsv = \"beads.csv\"\n"),
                            units_);
   EXPECT_FALSE(c.resin.density);
   EXPECT_FALSE(c.resin.youngs_modulus);
@@ -240,8 +244,9 @@ TEST_F(ReadCase, BeadsMayBringTheirOwnMaterial) {
 
 TEST_F(ReadCase, OwnLibraryOfTheUser) {
   const test::TemporaryFolder folder;
-  (void)folder.file("my.toml", "[source.lab]\ncitation = \"our lab\"\n[[resin]]\nname = \"Mine\"\n"
-                               "density = { value = \"1.1 g/mL\", source = \"lab\" }\n");
+  (void)folder.file("my.toml",
+                    "[source.lab]\ncitation = \"our lab\"\n[[resin]]\nname = \"Mine\"\n"
+                    "density = { value = \"1.1 g/mL\", source = \"lab\" }\n");
   const auto c = read_case(folder.file("c.toml", R"(
 [column]
 shape = "cylinder"

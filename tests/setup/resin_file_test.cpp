@@ -2,6 +2,8 @@
 #include "setup/resin_file.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -50,25 +52,29 @@ TEST(BuiltinLibrary, HoldsTheThesisValuesOfToyopearl) {
   EXPECT_EQ(library.find("TOY")->find("youngs_modulus_linear"), nullptr);
 }
 
+double value(const resin::ModulusMeasurement& row, std::string_view key) {
+  const auto found = std::ranges::find(row.values, key, &resin::Property::key);
+  return found == row.values.end() ? 0.0 : found->si;
+}
+
+std::vector<resin::ModulusMeasurement> relaxation_rows(const resin::Library& library) {
+  std::vector<resin::ModulusMeasurement> rows;
+  for (const auto& resin : library.resins) {
+    std::ranges::copy_if(resin.moduli, std::back_inserter(rows),
+                         [](const auto& row) { return value(row, "relaxed") > 0.0; });
+  }
+  return rows;
+}
+
 // Both moduli of a row come from G = E / (2 (1 + nu)) with nu = 0.2: a misprint would show.
 TEST(BuiltinLibrary, ShearAndYoungsModuliAgree) {
-  const auto library = builtin_library(UnitSystem());
-  int rows = 0;
-  for (const auto& resin : library.resins) {
-    for (const auto& row : resin.moduli) {
-      const auto value = [&](std::string_view key) {
-        const auto found = std::ranges::find(row.values, key, &resin::Property::key);
-        return found == row.values.end() ? 0.0 : found->si;
-      };
-      if (value("relaxed") == 0.0) continue;
-      ++rows;
-      // 2 %: the printed values are rounded to two decimals
-      EXPECT_NEAR(value("shear_relaxed") * 2.4 / value("relaxed"), 1.0, 0.02) << resin.name;
-      EXPECT_NEAR(value("shear_instantaneous") * 2.4 / value("instantaneous"), 1.0, 0.02)
-          << resin.name;
-    }
+  const auto rows = relaxation_rows(builtin_library(UnitSystem()));
+  EXPECT_EQ(rows.size(), 10U);  // three depths and two speeds, SEP and TOY
+  for (const auto& row : rows) {
+    // 2 %: two decimals are printed; the thesis's TOY row at 2 um is 1.4 % off
+    EXPECT_NEAR(value(row, "shear_relaxed") * 2.4 / value(row, "relaxed"), 1.0, 0.02);
+    EXPECT_NEAR(value(row, "shear_instantaneous") * 2.4 / value(row, "instantaneous"), 1.0, 0.02);
   }
-  EXPECT_EQ(rows, 10);  // three depths and two speeds, SEP and TOY
 }
 
 class OwnLibrary : public testing::Test {
@@ -86,10 +92,12 @@ class OwnLibrary : public testing::Test {
 TEST_F(OwnLibrary, RefusesValuesWithoutSourceAndUnknownKeys) {
   EXPECT_THAT(refusal("[[resin]]\nname = \"A\"\ndensity = { value = \"1 g/mL\" }\n"),
               HasSubstr("my.toml:5: resin[1].density.source is missing"));
-  EXPECT_THAT(refusal("[[resin]]\nname = \"A\"\ndensity = { value = \"1 g/mL\", source = \"x\" }\n"),
-              HasSubstr("there is no [source.x]"));
-  EXPECT_THAT(refusal("[[resin]]\nname = \"A\"\ndensty = { value = \"1 g/mL\", source = \"lab\" }\n"),
-              HasSubstr("did you mean \"density\"?"));
+  EXPECT_THAT(
+      refusal("[[resin]]\nname = \"A\"\ndensity = { value = \"1 g/mL\", source = \"x\" }\n"),
+      HasSubstr("there is no [source.x]"));
+  EXPECT_THAT(
+      refusal("[[resin]]\nname = \"A\"\ndensty = { value = \"1 g/mL\", source = \"lab\" }\n"),
+      HasSubstr("did you mean \"density\"?"));
   EXPECT_THAT(
       refusal("[[resin]]\nname = \"A\"\npoisson_ratio = { value = 0.6, source = \"lab\" }\n"),
       HasSubstr("is outside (-1, 0.5]"));

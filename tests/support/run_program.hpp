@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <sys/wait.h>
-
 #include <cstdlib>
 #include <string>
+
+#include <sys/wait.h>
 
 #include "core/file.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -30,7 +30,7 @@ class TemporaryFolder {
 
   /// Writes a file in it and returns its path.
   [[nodiscard]] std::filesystem::path file(const std::string& name, std::string_view text) const {
-    const auto where = path_ / name;
+    auto where = path_ / name;
     std::filesystem::create_directories(where.parent_path());
     write_text_file(where, text);
     return where;
