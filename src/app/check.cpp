@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/print.hpp"
 #include "core/quantity.hpp"
 #include "setup/case_report.hpp"
 #include "setup/read_case.hpp"
@@ -14,7 +14,7 @@ int check(const CheckCommand& command) {
   const auto c = setup::read_case(command.file, units);
   const auto f = setup::figures(c);
   if (command.json) {
-    fmt::print("{}\n", setup::check_json(c, f).dump(2));
+    fmt::print("{}", json_text(setup::check_json(c, f)));
   } else {
     fmt::print("{}", setup::check_text(c, f));
   }

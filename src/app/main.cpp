@@ -72,7 +72,7 @@ void check_command(const CLI::App& app, const std::string& word) {
                                 either_of(names)));
 }
 
-int main(int argc, char** argv) {
+int dispatch(int argc, char** argv) {
   CLI::App app("packbed simulates packed chromatography columns bead by bead.");
   app.set_version_flag("--version", fmt::format("packbed {}", version));
   app.require_subcommand(1);
@@ -93,7 +93,11 @@ int main(int argc, char** argv) {
   try {
     check_command(app, argv[1]);
     app.parse(argc, argv);
-    return action();
+    const int code = action();
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+      throw DataError("standard output cannot be written");
+    }
+    return code;
   } catch (const CLI::CallForVersion& asked) {
     fmt::print("{}\n", asked.what());
     return 0;
@@ -112,4 +116,4 @@ int main(int argc, char** argv) {
 
 // Whatever is not an Error is a bug and may terminate.
 // NOLINTNEXTLINE(bugprone-exception-escape)
-int main(int argc, char** argv) { return packbed::app::main(argc, argv); }
+int main(int argc, char** argv) { return packbed::app::dispatch(argc, argv); }

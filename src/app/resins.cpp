@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/print.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "setup/resin_file.hpp"
@@ -75,7 +75,11 @@ void add_value(Json& j, const resin::Property& p) {
 }
 
 Json resin_json(const resin::Resin& resin) {
-  Json j{{"name", resin.name}, {"aliases", resin.aliases}, {"matrix", resin.matrix}};
+  Json j{{"name", resin.name},
+         {"aliases", resin.aliases},
+         {"matrix", resin.matrix},
+         {"manufacturer", resin.manufacturer},
+         {"note", resin.note}};
   j["properties"] = Json::object();
   j["sources"] = Json::object();
   for (const auto& p : resin.properties) {
@@ -104,7 +108,7 @@ int resins(const ResinsCommand& command) {
     }
     Json all = Json::array();
     for (const auto& resin : library.resins) all.push_back(resin_json(resin));
-    fmt::print("{}\n", all.dump(2));
+    fmt::print("{}", json_text(all));
     return 0;
   }
   const auto* resin = library.find(command.name);
@@ -115,7 +119,7 @@ int resins(const ResinsCommand& command) {
                                   near ? fmt::format(", did you mean \"{}\"?", *near) : ""));
   }
   if (command.json) {
-    fmt::print("{}\n", resin_json(*resin).dump(2));
+    fmt::print("{}", json_text(resin_json(*resin)));
   } else {
     print_resin(*resin, library);
   }

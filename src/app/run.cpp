@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/print.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/version.hpp"
@@ -43,12 +43,12 @@ int run(const RunCommand& command) {
                                        {"simulated_time_s", 0.0},
                                        {"steps_carried_out", 0},
                                        {"steps_in_case", c.protocol.size()},
-                                       {"figures", setup::figures_json(f)}};
+                                       {"figures", setup::figures_json(c, f)}};
   write_text_file(folder / "case.toml", setup::check_text(c, f));
-  write_text_file(folder / "summary.json", summary.dump(2) + "\n");
+  write_text_file(folder / "summary.json", json_text(summary));
 
   if (command.json) {
-    fmt::print("{}\n", summary.dump(2));
+    fmt::print("{}", json_text(summary));
     return 0;
   }
   fmt::print("{}: read and checked; {:.0f} grains, {} protocol steps\n", c.title, f.bead_count,

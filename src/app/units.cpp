@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/print.hpp"
 #include "core/quantity.hpp"
 #include "core/text.hpp"
 
@@ -45,7 +45,7 @@ int units(const UnitsCommand& command) {
       }
     }
   }
-  if (command.json) fmt::print("{}\n", root.dump(2));
+  if (command.json) fmt::print("{}", json_text(root));
   return 0;
 }
 

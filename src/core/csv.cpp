@@ -39,7 +39,7 @@ CsvTable::CsvTable(const std::filesystem::path& file) : file_(file) {
     }
     auto cells = split_row(content);
     if (cells.size() != header_.size()) {
-      throw ConfigError(fmt::format("{}:{}: the row has {} cells, the header has {}",
+      throw ConfigError(fmt::format("{}:{}: cells in this row: {}, in the header: {}",
                                     file_.string(), number, cells.size(), header_.size()));
     }
     lines_.push_back(number);

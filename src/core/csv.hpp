@@ -25,6 +25,8 @@ class CsvTable {
   [[nodiscard]] const std::string& text(std::size_t row, int column) const;
   /// A finite number. Throws ConfigError naming file, line and column.
   [[nodiscard]] double number(std::size_t row, int column) const;
+  /// Line of a row in the file, from 1.
+  [[nodiscard]] std::size_t line(std::size_t row) const { return lines_[row]; }
   /// "beads.csv:12", for messages.
   [[nodiscard]] std::string place(std::size_t row) const;
   [[nodiscard]] std::string header_place() const;

@@ -38,8 +38,10 @@ void write_text_file(const std::filesystem::path& file, std::string_view text) {
   std::error_code failed;
   if (stream) std::filesystem::rename(temporary, file, failed);
   if (!stream || failed) {
-    throw DataError(fmt::format("{}: cannot be written ({})", file.string(),
-                                failed ? failed.message() : std::strerror(errno)));
+    const std::string why = failed ? failed.message() : std::strerror(errno);
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
+    throw DataError(fmt::format("{}: cannot be written ({})", file.string(), why));
   }
 }
 

@@ -199,6 +199,9 @@ double UnitSystem::to_si(std::string_view text, Dimension dimension) const {
     if (dimension == Dimension::fraction) return quantity.number;
     throw ValueError("it has no unit");
   }
+  if (dimension == Dimension::fraction && unit_text != "%" && unit_text != "percent") {
+    throw ValueError(fmt::format("a {} takes no unit but %", wanted.name));
+  }
   const Unit unit = database_->parse(unit_text);
   if (unit == nullptr) throw ValueError(fmt::format("the unit \"{}\" is not known", unit_text));
   const Converter converter = database_->to_si(*unit, dimension);

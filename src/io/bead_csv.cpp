@@ -70,6 +70,12 @@ std::vector<double> numbers(const CsvTable& table,
   return values;
 }
 
+bool flag(const CsvTable& table, std::size_t row, int column) {
+  const auto& text = table.text(row, column);
+  if (text == "0" || text == "1") return text == "1";
+  throw ConfigError(fmt::format("{}: fixed = \"{}\" must be 0 or 1", table.place(row), text));
+}
+
 std::vector<std::array<double, 3>> vectors(const CsvTable& table,
                                            const std::array<std::string, 3>& names) {
   std::vector<std::array<double, 3>> values(table.rows(), {0.0, 0.0, 0.0});
@@ -84,6 +90,10 @@ std::vector<std::array<double, 3>> vectors(const CsvTable& table,
 }
 
 }  // namespace
+
+std::string BeadTable::place(std::size_t bead) const {
+  return fmt::format("{}:{}", file.string(), line[bead]);
+}
 
 BeadTable read_bead_csv(const std::filesystem::path& file) {
   const CsvTable table(file);
@@ -101,14 +111,18 @@ BeadTable read_bead_csv(const std::filesystem::path& file) {
   beads.poisson_ratio = numbers(
       table, "poisson_ratio", [](double nu) { return nu > -1.0 && nu <= 0.5; },
       "is outside (-1, 0.5]");
-  const auto fixed = numbers(
-      table, "fixed", [](double flag) { return flag == 0.0 || flag == 1.0; }, "must be 0 or 1");
-  for (const double flag : fixed) beads.fixed.push_back(flag == 1.0);
+  if (const int column = table.find("fixed"); column >= 0) {
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      beads.fixed.push_back(flag(table, row, column));
+    }
+  }
   if (const int column = table.find("resin"); column >= 0) {
     for (std::size_t row = 0; row < table.rows(); ++row) {
       beads.resin.push_back(table.text(row, column));
     }
   }
+  beads.file = file;
+  for (std::size_t row = 0; row < table.rows(); ++row) beads.line.push_back(table.line(row));
   return beads;
 }
 

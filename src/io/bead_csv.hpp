@@ -23,8 +23,12 @@ struct BeadTable {
   std::vector<double> youngs_modulus;        ///< optional [Pa]
   std::vector<double> poisson_ratio;         ///< optional
   std::vector<std::string> resin;            ///< optional, names of the library
+  std::filesystem::path file;                ///< as named in messages
+  std::vector<std::size_t> line;             ///< of each bead in the file
 
   [[nodiscard]] std::size_t size() const { return diameter.size(); }
+  /// "beads.csv:12", for messages about a bead.
+  [[nodiscard]] std::string place(std::size_t bead) const;
   bool operator==(const BeadTable&) const = default;
 };
 

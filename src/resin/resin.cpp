@@ -2,6 +2,7 @@
 #include "resin/resin.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "core/text.hpp"
@@ -12,16 +13,6 @@ namespace {
 bool is_called(const Resin& resin, std::string_view name) {
   const auto same = [&](std::string_view other) { return edit_distance(other, name) == 0; };
   return same(resin.name) || std::ranges::any_of(resin.aliases, same);
-}
-
-template <class Item>
-void replace_or_append(std::vector<Item>& items, Item item) {
-  const auto old = std::ranges::find(items, item.name, &Item::name);
-  if (old == items.end()) {
-    items.push_back(std::move(item));
-  } else {
-    *old = std::move(item);
-  }
 }
 
 }  // namespace
@@ -47,8 +38,17 @@ std::vector<std::string> Library::names() const {
 }
 
 void Library::add(Library other) {
-  for (auto& source : other.sources) replace_or_append(sources, std::move(source));
-  for (auto& resin : other.resins) replace_or_append(resins, std::move(resin));
+  // The user's stand first, so that their names and aliases are found before ours.
+  std::erase_if(resins, [&](const Resin& ours) {
+    return std::ranges::any_of(other.resins,
+                               [&](const Resin& own) { return is_called(own, ours.name); });
+  });
+  std::erase_if(sources, [&](const Source& ours) {
+    return std::ranges::find(other.sources, ours.name, &Source::name) != other.sources.end();
+  });
+  std::ranges::move(resins, std::back_inserter(other.resins));
+  std::ranges::move(sources, std::back_inserter(other.sources));
+  *this = std::move(other);
 }
 
 }  // namespace packbed::resin

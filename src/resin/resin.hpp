@@ -60,7 +60,8 @@ struct Library {
   [[nodiscard]] const Resin* find(std::string_view name) const;
   /// Names and aliases, for messages.
   [[nodiscard]] std::vector<std::string> names() const;
-  /// Adds the resins and sources of another library; those with the same name replace ours.
+  /// Adds the resins and sources of another library; they replace ours of the same name, and their
+  /// names and aliases are found first.
   void add(Library other);
 };
 

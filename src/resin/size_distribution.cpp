@@ -39,7 +39,8 @@ double normal_quantile(double a, double b, double u) {
 
 void check_range(double minimum, double maximum) {
   if (!(minimum < maximum)) {
-    throw ValueError(fmt::format("minimum = {} m is not below maximum = {} m", minimum, maximum));
+    throw ValueError(fmt::format("minimum = {:.6g} um is not below maximum = {:.6g} um",
+                                 1e6 * minimum, 1e6 * maximum));
   }
 }
 
@@ -145,9 +146,9 @@ Histogram Histogram::from(std::span<const Bin> bins, Weighting weighting) {
   for (std::size_t i = 0; i < bins.size(); ++i) {
     auto bin = bins[i];
     if (!(bin.lower >= end && bin.lower > 0.0 && bin.upper > bin.lower)) {
-      throw ValueError(
-          fmt::format("bin {} from {} to {} m: bins must ascend without overlap and start above 0",
-                      i + 1, bin.lower, bin.upper));
+      throw ValueError(fmt::format(
+          "bin {} from {:.6g} to {:.6g} um: bins must ascend without overlap and start above 0",
+          i + 1, 1e6 * bin.lower, 1e6 * bin.upper));
     }
     if (!(bin.share >= 0.0)) {
       throw ValueError(fmt::format("bin {} has a negative share {}", i + 1, bin.share));
@@ -191,7 +192,8 @@ Measured Measured::from(std::span<const double> diameters) {
   d.diameters_.assign(diameters.begin(), diameters.end());
   std::ranges::sort(d.diameters_);
   if (!(d.diameters_.front() > 0.0)) {
-    throw ValueError(fmt::format("a diameter of {} m is not positive", d.diameters_.front()));
+    throw ValueError(
+        fmt::format("a diameter of {:.6g} um is not positive", 1e6 * d.diameters_.front()));
   }
   return d;
 }

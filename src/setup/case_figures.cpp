@@ -94,7 +94,8 @@ CaseFigures figures(const Case& c) {
   if (f.bed && f.bed->height == 0.0) {
     f.bed->height = f.bead_volume / ((1.0 - f.bed->porosity) * area);
   }
-  if (c.liquid) f.submerged_weight = (f.bead_mass - c.liquid->density * f.bead_volume) * gravity;
+  if (c.liquid && c.numerics.gravity)
+    f.submerged_weight = (f.bead_mass - c.liquid->density * f.bead_volume) * gravity;
   if (c.liquid && f.bed && velocity > 0.0 && f.bead_volume > 0.0) {
     f.flow = flow_figures(*c.liquid, *f.bed, f.bead_mass / f.bead_volume, f.sizes.sauter, velocity);
   }

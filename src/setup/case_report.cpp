@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "setup/case_report.hpp"
 
-#include <array>
-#include <utility>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -115,7 +114,7 @@ std::string check_text(const Case& c, const CaseFigures& f) {
   return text + "\n" + to_toml(c.echo);
 }
 
-Json figures_json(const CaseFigures& f) {
+Json figures_json(const Case& c, const CaseFigures& f) {
   Json j;
   j["sizes"] = {{"mean_diameter_m", f.sizes.mean},
                 {"median_diameter_m", f.sizes.median},
@@ -127,8 +126,8 @@ Json figures_json(const CaseFigures& f) {
                 {"volume_mean_diameter_m", f.sizes.volume_mean},
                 {"smallest_m", f.sizes.smallest},
                 {"largest_m", f.sizes.largest}};
-  j["bead_count"] = f.bead_count;
-  j["real_bead_count"] = f.real_bead_count;
+  j["bead_count"] = std::llround(f.bead_count);
+  j["real_bead_count"] = std::llround(f.real_bead_count);
   j["largest_grain_m"] = f.largest_grain;
   j["bead_volume_m3"] = f.bead_volume;
   j["bead_mass_kg"] = f.bead_mass;
@@ -145,6 +144,9 @@ Json figures_json(const CaseFigures& f) {
                  {"kozeny_carman_pressure_gradient_Pa_m", f.flow->pressure_gradient},
                  {"kozeny_carman_pressure_drop_Pa", f.flow->pressure_drop}};
   }
+  if (c.liquid) {
+    j["liquid"] = {{"density_kg_m3", c.liquid->density}, {"viscosity_Pa_s", c.liquid->viscosity}};
+  }
   j["memory_of_beads_B"] = f.memory;
   return j;
 }
@@ -155,12 +157,7 @@ Json check_json(const Case& c, const CaseFigures& f) {
     Json& at = place_of(root, table.header);
     for (const auto& entry : table.entries) at[json_key(entry)] = json_value(entry);
   }
-  Json figures = figures_json(f);
-  if (c.liquid) {
-    figures["liquid"] = {{"density_kg_m3", c.liquid->density},
-                         {"viscosity_Pa_s", c.liquid->viscosity}};
-  }
-  return {{"case", root}, {"figures", figures}};
+  return {{"case", root}, {"figures", figures_json(c, f)}};
 }
 
 }  // namespace packbed::setup

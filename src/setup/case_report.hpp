@@ -20,6 +20,6 @@ std::string check_text(const Case& c, const CaseFigures& f);
 /// {"case": {...}, "figures": {...}}, numbers in SI, units in the keys.
 nlohmann::ordered_json check_json(const Case& c, const CaseFigures& f);
 
-nlohmann::ordered_json figures_json(const CaseFigures& f);
+nlohmann::ordered_json figures_json(const Case& c, const CaseFigures& f);
 
 }  // namespace packbed::setup

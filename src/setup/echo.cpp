@@ -2,10 +2,8 @@
 #include "setup/echo.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include "core/text.hpp"
 
@@ -27,10 +25,17 @@ std::string comment(const EchoEntry& entry) {
 }  // namespace
 
 std::string toml_string(const std::string& text) {
-  std::ostringstream stream;
-  const toml::value<std::string> value(text);
-  stream << toml::toml_formatter(value, toml::format_flags::none);
-  return stream.str();
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      quoted += fmt::format("\\{}", c);
+    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+      quoted += fmt::format("\\u{:04X}", static_cast<unsigned>(c));
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + "\"";
 }
 
 std::string to_toml(const Echo& echo) {

@@ -8,6 +8,7 @@ namespace packbed::setup {
 
 BeadOptions read_beads(Section section, const ColumnOptions& column) {
   BeadOptions beads;
+  section.mention({"csv", "count"});
   const auto file = section.optional_file("csv");
   if (file && section.has("count")) section.fail("count", "does not go with beads.csv");
   beads.count = section.optional_integer("count", 0);
@@ -20,9 +21,9 @@ BeadOptions read_beads(Section section, const ColumnOptions& column) {
     const auto& x = beads.table.x[i];
     if (!mesh::contains(column.shape, x)) {
       throw ConfigError(fmt::format(
-          "{}: bead {} at ({}, {}, {}) m has its center outside the column; z counts from the "
+          "{}: the bead at ({}, {}, {}) m has its center outside the column; z counts from the "
           "lower end, x and y from the axis of a slice or cylinder, from a corner of a box",
-          file->string(), i + 1, x[0], x[1], x[2]));
+          beads.table.place(i), x[0], x[1], x[2]));
     }
   }
   return beads;

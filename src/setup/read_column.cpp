@@ -64,9 +64,16 @@ mesh::ColumnShape read_shape(Section& section) {
 }  // namespace
 
 ColumnOptions read_column(Section section) {
+  section.mention(
+      {"shape", "inner_diameter", "slice_depth", "height", "size", "boundaries", "wall", "frit"});
   ColumnOptions column{.shape = read_shape(section), .wall = {}, .frit = {}};
   column.wall = read_material(section.table("wall"));
-  column.frit = read_material(section.table("frit"));
+  if (std::holds_alternative<mesh::Box>(column.shape)) {
+    section.refuse("frit", "does not apply to shape = \"box\", whose walls are all column.wall");
+    column.frit = column.wall;
+  } else {
+    column.frit = read_material(section.table("frit"));
+  }
   section.finish();
   return column;
 }

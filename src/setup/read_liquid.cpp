@@ -19,9 +19,10 @@ constexpr Bounds liquid_water{.low = 273.15,
 
 LiquidOptions read_liquid(Section section) {
   LiquidOptions liquid{};
+  section.mention({"name", "temperature", "density", "viscosity"});
   const bool own_values = section.has("density") || section.has("viscosity");
   liquid.name = section.word("name", Fallback{own_values ? "own" : "water"});
-  if (liquid.name != "water" && !own_values) {
+  if (edit_distance(liquid.name, "water") != 0 && !own_values) {
     section.fail("name", "is not known; give \"water\", or density and viscosity of your liquid");
   }
   if (own_values) {
@@ -34,8 +35,6 @@ LiquidOptions read_liquid(Section section) {
     liquid.temperature = t;
     liquid.density = continuum::water_density(t);
     liquid.viscosity = continuum::water_viscosity(t);
-    section.mention("density");
-    section.mention("viscosity");
   }
   section.finish();
   return liquid;

@@ -11,6 +11,7 @@ struct Context {
   const ColumnOptions& column;
   bool has_liquid;
   bool beads_are_counted;  ///< by [beads] or an earlier settling
+  bool in_repeat = false;
 };
 
 ProtocolStep read_step(Section section, Context& context);
@@ -21,10 +22,14 @@ Run read_run(Section& section) {
 
 Settle read_settle(Section& section, Context& context) {
   Settle settle;
+  section.mention({"bed_height", "friction", "porosity"});
   if (context.beads_are_counted && section.has("bed_height")) {
     section.fail("bed_height",
                  "is one too many: [beads] or an earlier settle step already says "
                  "how many beads there are");
+  }
+  if (context.in_repeat && section.has("bed_height")) {
+    section.fail("bed_height", "does not go into a repeat: beads are made once; settle before it");
   }
   if (!context.beads_are_counted && !section.has("bed_height")) {
     section.fail_missing("bed_height",
@@ -48,6 +53,7 @@ Settle read_settle(Section& section, Context& context) {
 
 FlowRamp read_flow_ramp(Section& section, Context& context) {
   FlowRamp ramp{};
+  section.mention({"from", "to", "steps", "hold", "hold_limit", "change"});
   if (!context.has_liquid) section.fail("step", "needs a [liquid] section");
   const double area = mesh::flow_cross_section(context.column.shape);
   ramp.from = section.flow("from", area, Fallback{"0 cm/h"});
@@ -68,6 +74,7 @@ FlowRamp read_flow_ramp(Section& section, Context& context) {
 }
 
 Hold read_hold(Section& section, Context& context) {
+  section.mention({"duration", "flow"});
   if (!context.has_liquid && section.has("flow")) section.fail("flow", "needs a [liquid] section");
   return {.duration = section.quantity("duration", Dimension::time, bounds::not_negative),
           .flow = section.optional_flow("flow", mesh::flow_cross_section(context.column.shape))};
@@ -75,6 +82,7 @@ Hold read_hold(Section& section, Context& context) {
 
 Compress read_compress(Section& section, Context& context) {
   Compress compress{};
+  section.mention({"speed", "height", "compression", "compression_factor", "force"});
   compress.speed = section.quantity("speed", Dimension::velocity, bounds::positive);
   constexpr Bounds above_1{.low = 1.0, .refusal = "must be above 1"};
   const struct {
@@ -106,7 +114,9 @@ Compress read_compress(Section& section, Context& context) {
 
 Repeat read_repeat(Section& section, Context& context) {
   Repeat repeat{.count = section.integer("count", 1), .steps = {}};
+  const bool outer = std::exchange(context.in_repeat, true);
   for (auto& step : section.tables("steps")) repeat.steps.push_back(read_step(step, context));
+  context.in_repeat = outer;
   if (repeat.steps.empty()) section.fail("step", "needs steps; write [[protocol.steps]] below it");
   return repeat;
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -23,6 +25,11 @@ const resin::Resin& find_resin(const Section& section,
   section.fail("name", fmt::format("is not in the library{}; `packbed resins` lists it. For beads "
                                    "of your own leave name out, or name a library of yours",
                                    near ? fmt::format(", did you mean \"{}\"?", *near) : ""));
+}
+
+/// The modulus that a contact law is calibrated with.
+std::string_view modulus_key(ContactLawName law) {
+  return law == ContactLawName::hooke ? "youngs_modulus_linear" : "youngs_modulus_relaxed";
 }
 
 /// Reads the keys of one resin, with what the library knows of it as defaults.
@@ -87,8 +94,6 @@ void read_contact(Section& section,
                   ResinOptions& options) {
   const Fallback thesis_friction{"0.1", "default: value of CM Sepharose 6FF, thesis table 8.4"};
   const Fallback thesis_rolling{"0.35", "default: value of CM Sepharose 6FF, thesis table 8.4"};
-  options.contact =
-      static_cast<ContactLawName>(section.choice("contact", {"hooke", "hertz"}, Fallback{"hooke"}));
   const bool hooke = options.contact == ContactLawName::hooke;
   options.youngs_modulus =
       reader.unless_per_bead("youngs_modulus", Dimension::pressure, bounds::positive,
@@ -119,41 +124,77 @@ void read_contact(Section& section,
 }
 
 /// The largest grain must not meet itself across a periodic side, and must fit between walls.
-void check_fit(const Section& section, const ColumnOptions& column, double largest_grain) {
-  const auto refuse = [&](std::string_view what, double size) {
+void check_fit(const Section& section,
+               const ColumnOptions& column,
+               double largest,
+               std::string_view owner) {
+  const auto check = [&](std::string_view what, double size) {
+    if (size >= largest) return;
     section.fail_here(
-        fmt::format("has grains up to {:.4g} um (coarse_grain included), but {} is "
-                    "only {:.4g} um; make it wider or the grains smaller",
-                    largest_grain * 1e6, what, size * 1e6));
+        fmt::format("{} up to {:.4g} um, but {} is only {:.4g} um; make it wider or "
+                    "them smaller",
+                    owner, largest * 1e6, what, size * 1e6));
   };
   if (const auto* slice = std::get_if<mesh::Slice>(&column.shape)) {
-    if (slice->depth < largest_grain) refuse("column.slice_depth", slice->depth);
-    if (slice->inner_diameter < largest_grain) {
-      refuse("column.inner_diameter", slice->inner_diameter);
-    }
+    check("column.slice_depth", slice->depth);
+    check("column.inner_diameter", slice->inner_diameter);
+    check("column.height", slice->height);
   } else if (const auto* cylinder = std::get_if<mesh::Cylinder>(&column.shape)) {
-    if (cylinder->inner_diameter < largest_grain) {
-      refuse("column.inner_diameter", cylinder->inner_diameter);
-    }
+    check("column.inner_diameter", cylinder->inner_diameter);
+    check("column.height", cylinder->height);
   } else {
     const auto& box = std::get<mesh::Box>(column.shape);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const bool bounded = box.boundaries[axis] != mesh::Boundary::open;
-      if (bounded && box.size[axis] < largest_grain) {
-        refuse(fmt::format("column.size[{}]", axis + 1), box.size[axis]);
-      }
+      if (box.boundaries[axis] == mesh::Boundary::open) continue;
+      check(fmt::format("column.size[{}]", axis + 1), box.size[axis]);
     }
   }
 }
 
-void check_resins_of_beads(const resin::Library& library, const BeadOptions& beads) {
-  for (std::size_t i = 0; i < beads.table.resin.size(); ++i) {
-    const auto& name = beads.table.resin[i];
-    if (library.find(name) != nullptr) continue;
-    throw ConfigError(
-        fmt::format("{}: resin = \"{}\" of bead {} is not in the library; `packbed "
-                    "resins` lists it",
-                    beads.csv->string(), name, i + 1));
+/// Beads that are made by number must fit into the column.
+void check_count(const Section& section,
+                 const ColumnOptions& column,
+                 const BeadOptions& beads,
+                 const ResinOptions& resin) {
+  if (!beads.count) return;
+  constexpr double densest = 0.74;  // equal spheres; random ones reach about 0.64
+  const double grain = resin.coarse_grain * resin::statistics(*resin.sizes).volume_mean;
+  const double volume =
+      static_cast<double>(*beads.count) * std::numbers::pi / 6.0 * std::pow(grain, 3);
+  const double share = volume / (mesh::cross_section(column.shape) * mesh::height(column.shape));
+  if (share <= densest) return;
+  section.fail_here(
+      fmt::format("grains would fill {:.3g} times the column with beads.count = {}; "
+                  "solids of more than {} cannot be packed",
+                  share, *beads.count, densest));
+}
+
+/// Gives beads that name their resin its density and elastic constants, unless the file has them.
+void apply_resins_of_beads(const resin::Library& library,
+                           std::string_view modulus_key,
+                           io::BeadTable& beads) {
+  if (beads.resin.empty()) return;
+  const struct {
+    std::string_view key;
+    std::vector<double>& values;
+  } properties[] = {{"density", beads.density},
+                    {modulus_key, beads.youngs_modulus},
+                    {"poisson_ratio", beads.poisson_ratio}};
+  for (const auto& [key, values] : properties) {
+    if (!values.empty()) continue;
+    for (std::size_t i = 0; i < beads.size(); ++i) {
+      const auto* resin = library.find(beads.resin[i]);
+      const auto* property = resin == nullptr ? nullptr : resin->find(key);
+      if (property == nullptr) {
+        throw ConfigError(fmt::format(
+            "{}: resin = \"{}\" {}", beads.place(i), beads.resin[i],
+            resin == nullptr ? std::string("is not in the library; `packbed resins` lists it")
+                             : fmt::format("has no {} in the library; give the beads a column of "
+                                           "it",
+                                           key)));
+      }
+      values.push_back(property->si);
+    }
   }
 }
 
@@ -162,14 +203,20 @@ void check_resins_of_beads(const resin::Library& library, const BeadOptions& bea
 ResinOptions read_resin(Section section,
                         const UnitSystem& units,
                         resin::Library library,
-                        const BeadOptions& beads,
+                        BeadOptions& beads,
                         const ColumnOptions& column) {
   ResinOptions options;
+  section.mention({"name", "library", "density", "coarse_grain", "contact", "youngs_modulus",
+                   "characteristic_velocity", "poisson_ratio", "restitution", "tension", "friction",
+                   "wall_friction", "rolling", "rolling_friction", "sizes"});
   const auto name = section.optional_word("name");
   if (const auto own = section.optional_file("library")) library.add(read_library(*own, units));
   const resin::Resin* resin = name ? &find_resin(section, library, *name) : nullptr;
   options.name = name.value_or("");
-  check_resins_of_beads(library, beads);
+
+  options.contact =
+      static_cast<ContactLawName>(section.choice("contact", {"hooke", "hertz"}, Fallback{"hooke"}));
+  apply_resins_of_beads(library, modulus_key(options.contact), beads.table);
 
   ResinReader reader(section, resin);
   options.density = reader.unless_per_bead("density", Dimension::density, bounds::positive,
@@ -180,10 +227,12 @@ ResinOptions read_resin(Section section,
   if (beads.csv) {
     section.refuse("sizes", "does not go with beads.csv, which has the diameters");
     const auto& diameters = beads.table.diameter;
-    check_fit(section, column, *std::ranges::max_element(diameters));
+    check_fit(section, column, *std::ranges::max_element(diameters), "with beads.csv has beads");
   } else {
     options.sizes = read_sizes(section.table("sizes"), units, resin);
-    check_fit(section, column, options.coarse_grain * resin::largest(*options.sizes));
+    check_fit(section, column, options.coarse_grain * resin::largest(*options.sizes),
+              "has grains (coarse_grain times the largest bead)");
+    check_count(section, column, beads, options);
   }
   section.finish();
   return options;

@@ -14,10 +14,11 @@ namespace packbed::setup {
 ColumnOptions read_column(Section section);
 BeadOptions read_beads(Section section, const ColumnOptions& column);
 /// `library` has the resins that the program comes with; the case may add its own.
+/// Beads of a file that name their resin get its properties here.
 ResinOptions read_resin(Section section,
                         const UnitSystem& units,
                         resin::Library library,
-                        const BeadOptions& beads,
+                        BeadOptions& beads,
                         const ColumnOptions& column);
 LiquidOptions read_liquid(Section section);
 /// Steps with a flow need `has_liquid`. The number of beads comes from [beads] or from the bed

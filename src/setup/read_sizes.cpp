@@ -118,6 +118,7 @@ double read_length(Section& section,
 }
 
 resin::SizeDistribution read_normal(Section& section, const resin::Resin* resin) {
+  section.mention({"mean", "standard_deviation", "minimum", "maximum"});
   const double mean = read_length(section, resin, "mean", "diameter_mean");
   const double sd =
       read_length(section, resin, "standard_deviation", "diameter_standard_deviation");
@@ -128,6 +129,7 @@ resin::SizeDistribution read_normal(Section& section, const resin::Resin* resin)
 
 resin::SizeDistribution read_lognormal(Section& section) {
   constexpr Bounds above_1{.low = 1.0, .refusal = "must be above 1"};
+  section.mention({"median", "geometric_standard_deviation", "minimum", "maximum"});
   const double median = section.quantity("median", Dimension::length, bounds::positive);
   const double spread =
       section.quantity("geometric_standard_deviation", Dimension::fraction, above_1);

@@ -80,6 +80,7 @@ void add_spread(Section& section, std::string_view key, Dimension dimension, res
 }
 
 resin::Property read_property(Section section, const ResinKey& key) {
+  section.mention({"value", "spread", "source", "where", "note"});
   auto p = property(section, "value", key.key, key.dimension, key.bounds);
   add_spread(section, "spread", key.dimension, p);
   p.source = section.word("source");
@@ -90,24 +91,28 @@ resin::Property read_property(Section section, const ResinKey& key) {
 }
 
 resin::ModulusMeasurement read_modulus(Section section) {
-  resin::ModulusMeasurement m;
-  m.method = section.word("method");
-  if (section.has("compression")) {
-    m.values.push_back(property(section, "compression", "compression", length, bounds::positive));
-  }
-  section.mention("compression");
-  for (const std::string key : {"speed", "characteristic_velocity"}) {
-    section.mention(key);
-    if (section.has(key)) {
-      m.values.push_back(property(section, key, key, velocity, bounds::positive));
-    }
-  }
+  section.mention(
+      {"method", "compression", "speed", "characteristic_velocity", "source", "where", "note"});
   for (const auto key : modulus_keys) {
     section.mention(key);
-    if (!section.has(key)) continue;
-    auto p = property(section, key, key, pressure, bounds::positive);
-    add_spread(section, std::string(key) + "_spread", pressure, p);
-    m.values.push_back(p);
+    section.mention(std::string(key) + "_spread");
+  }
+  resin::ModulusMeasurement m;
+  m.method = section.word("method");
+  const auto add = [&](std::string_view key, Dimension dimension) {
+    if (!section.has(key)) return;
+    m.values.push_back(property(section, key, key, dimension, bounds::positive));
+  };
+  add("compression", length);
+  add("speed", velocity);
+  add("characteristic_velocity", velocity);
+  for (const auto key : modulus_keys) {
+    const auto spread = std::string(key) + "_spread";
+    if (section.has(spread) && !section.has(key)) {
+      section.fail(spread, fmt::format("stands alone; give {} too", key));
+    }
+    add(key, pressure);
+    if (section.has(key)) add_spread(section, spread, pressure, m.values.back());
   }
   m.source = section.word("source");
   m.where = section.optional_word("where").value_or("");
@@ -117,6 +122,8 @@ resin::ModulusMeasurement read_modulus(Section section) {
 }
 
 resin::Resin read_resin_entry(Section section) {
+  section.mention({"name", "aliases", "matrix", "manufacturer", "note", "moduli"});
+  for (const auto& key : keys) section.mention(key.key);
   resin::Resin r;
   r.name = section.word("name");
   r.aliases = section.words("aliases");
@@ -124,7 +131,6 @@ resin::Resin read_resin_entry(Section section) {
   r.manufacturer = section.optional_word("manufacturer").value_or("");
   r.note = section.optional_word("note").value_or("");
   for (const auto& key : keys) {
-    section.mention(key.key);
     if (section.has(key.key)) r.properties.push_back(read_property(section.table(key.key), key));
   }
   for (auto& modulus : section.tables("moduli")) r.moduli.push_back(read_modulus(modulus));

@@ -126,7 +126,17 @@ void Section::fail_missing(std::string_view key, std::string_view message) const
                                     full(name), key));
     }
   }
-  throw ConfigError(fmt::format("{}: {} {}", place(table_), full(key), message));
+  const bool is_there = name_.empty() || table_->source().begin.line > 0;
+  throw ConfigError(fmt::format("{}: {} {}{}", place(table_), full(key), message,
+                                is_there ? "" : fmt::format(" (there is no {})", header_)));
+}
+
+void Section::mention(std::string_view key) {
+  if (std::ranges::find(known_, key) == known_.end()) known_.emplace_back(key);
+}
+
+void Section::mention(std::initializer_list<std::string_view> keys) {
+  for (const auto key : keys) mention(key);
 }
 
 void Section::fail_here(std::string_view message) const {

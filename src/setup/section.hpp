@@ -123,8 +123,10 @@ class Section {
   /// An array of tables inside this one, none if it is not there.
   std::vector<Section> tables(std::string_view key);
 
-  /// Keys that this table could have had, for the hint about unknown ones.
-  void mention(std::string_view key) { known_.emplace_back(key); }
+  /// Keys that this table may have; whatever else it has is a slip of the pen. Reading a key
+  /// mentions it too.
+  void mention(std::string_view key);
+  void mention(std::initializer_list<std::string_view> keys);
   /// Refuses the key, saying why ("does not apply to shape = \"box\"").
   void refuse(std::string_view key, std::string_view why);
   /// Refuses keys that were never asked for. Call it last.

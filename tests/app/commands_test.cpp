@@ -86,6 +86,21 @@ TEST(Run, SaysWhyItsFolderCannotBeMade) {
   EXPECT_THAT(run.err, HasSubstr("cannot be made"));
 }
 
+TEST(Program, SaysWhenItsOutputIsLost) {
+  const auto lost =
+      test::run_shell(std::string(PACKBED_PROGRAM) + " units 1>/dev/full", PACKBED_SOURCE_DIR);
+  EXPECT_EQ(lost.code, 3);
+  EXPECT_THAT(lost.err, HasSubstr("standard output cannot be written"));
+}
+
+TEST(Program, TakesFolderNamesThatAreNoUtf8) {
+  const test::TemporaryFolder folder;
+  const auto file =
+      folder.file("f\xff/c.toml", read_text_file(PACKBED_SOURCE_DIR "/cases/quickstart.toml"));
+  const auto out = (folder.path() / "out").string();
+  EXPECT_EQ(run_packbed("run --json '" + file.string() + "' -o " + out).code, 0);
+}
+
 TEST(Resins, ListsShowsAndPrintsJson) {
   EXPECT_THAT(run_packbed("resins").out, HasSubstr("CM Sepharose 6FF"));
   EXPECT_THAT(run_packbed("resins sep").out, HasSubstr("thesis, table 6.1"));

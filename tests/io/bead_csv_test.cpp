@@ -63,6 +63,7 @@ TEST_F(BeadCsv, RefusesValuesOutOfRangeNamingTheLine) {
   EXPECT_THAT(refusal(head + "1,1,1,1e-4,-1,0.2,0\n"), HasSubstr("density_kg_m3 = -1"));
   EXPECT_THAT(refusal(head + "1,1,1,1e-4,1140,0.6,0\n"), HasSubstr("outside (-1, 0.5]"));
   EXPECT_THAT(refusal(head + "1,1,1,1e-4,1140,0.2,2\n"), HasSubstr("must be 0 or 1"));
+  EXPECT_THAT(refusal(head + "1,1,1,1e-4,1140,0.2,true\n"), HasSubstr("must be 0 or 1"));
   EXPECT_THAT(refusal(head + "nan,1,1,1e-4,1140,0.2,0\n"), HasSubstr("not a finite number"));
 }
 

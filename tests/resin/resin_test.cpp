@@ -32,8 +32,21 @@ TEST(Library, LetsTheUsersResinsReplaceOurs) {
   ours.add(own);
 
   EXPECT_EQ(ours.resins.size(), 3U);
+  EXPECT_EQ(ours.resins.back().name, "Alpha");
   EXPECT_NE(ours.find("B"), nullptr);
   EXPECT_NE(ours.find("Gamma"), nullptr);
+}
+
+TEST(Library, FindsTheUsersAliasBeforeOurs) {
+  Library ours;
+  ours.resins = {named("Alpha", {"A"})};
+  Library own;
+  own.resins = {named("Omega", {"A"})};
+
+  ours.add(own);
+
+  EXPECT_EQ(ours.find("A")->name, "Omega");
+  EXPECT_EQ(ours.find("Alpha")->name, "Alpha");
 }
 
 }  // namespace

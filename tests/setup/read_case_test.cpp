@@ -242,6 +242,22 @@ TEST_F(ReadCase, BeadsMayBringTheirOwnMaterial) {
   EXPECT_FALSE(c.resin.youngs_modulus);
 }
 
+TEST_F(ReadCase, BeadsMayNameTheirResin) {
+  const test::TemporaryFolder folder;
+  (void)folder.file("beads.csv",
+                    "x_m,y_m,z_m,diameter_m,poisson_ratio,resin\n"
+                    "1e-3,1e-3,1e-3,1e-4,0.3,SEP\n1e-3,1e-3,2e-3,1e-4,0.4,TOY\n");
+  const auto c =
+      read_case(folder.file("one.toml",
+                            "[column]\nshape = \"box\"\nsize = [\"4 mm\", \"4 mm\", \"4 mm\"]\n"
+                            "[resin]\ncontact = \"hertz\"\n[beads]\ncsv = \"beads.csv\"\n"),
+                units_);
+
+  EXPECT_EQ(c.beads.table.density, (std::vector{1140.0, 1340.0}));
+  EXPECT_EQ(c.beads.table.youngs_modulus, (std::vector{3.89e6, 4.22e6}));
+  EXPECT_EQ(c.beads.table.poisson_ratio, (std::vector{0.3, 0.4}));  // the column counts
+}
+
 TEST_F(ReadCase, OwnLibraryOfTheUser) {
   const test::TemporaryFolder folder;
   (void)folder.file("my.toml",

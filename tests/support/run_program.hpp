@@ -22,8 +22,8 @@ inline Outcome run_shell(const std::string& command, const std::filesystem::path
   const TemporaryFolder scratch;
   const auto out = scratch.path() / "out";
   const auto err = scratch.path() / "err";
-  const auto line = "cd '" + folder.string() + "' && " + command + " >'" + out.string() + "' 2>'" +
-                    err.string() + "'";
+  const auto line = "cd '" + folder.string() + "' && { " + command + "; } >'" + out.string() +
+                    "' 2>'" + err.string() + "'";
   const int status = std::system(line.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text_file(out), read_text_file(err)};
 }
