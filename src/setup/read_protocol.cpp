@@ -9,8 +9,8 @@ namespace {
 /// What the steps read so far leave to the next one.
 struct Context {
   const ColumnOptions& column;
-  bool has_liquid;
-  bool beads_are_counted;  ///< by [beads] or an earlier settling
+  bool has_liquid = false;
+  bool beads_are_counted = false;  ///< by [beads] or an earlier settling
   bool in_repeat = false;
 };
 
