@@ -35,4 +35,10 @@ struct DataError : Error {
   [[nodiscard]] ExitCode exit_code() const noexcept override { return ExitCode::files; }
 };
 
+/// The numerics failed; names stage, step, time and the worst place.
+struct DivergenceError : Error {
+  using Error::Error;
+  [[nodiscard]] ExitCode exit_code() const noexcept override { return ExitCode::numerics; }
+};
+
 }  // namespace packbed

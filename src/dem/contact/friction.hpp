@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// @file
+/// One contact from its kinematics: normal law, tangential spring with Coulomb limit, rolling.
+/// The same function serves beads on beads, beads on walls, tests and reports.
+
+#include <cmath>
+
+#include "core/vec3.hpp"
+#include "dem/contact/contact.hpp"
+#include "dem/rolling/rolling_law.hpp"
+
+namespace packbed::dem {
+
+/// Relative motion of two bodies; signs in contact.hpp.
+struct Kinematics {
+  Vec3 normal;
+  double overlap;  ///< [m]
+  Vec3 velocity;   ///< v_i - v_j [m/s]
+  Vec3 surface;    ///< c_i w_i + c_j w_j [m/s]
+  Vec3 spin;       ///< w_i - w_j [rad/s]
+  double r_eff;    ///< R* [m]
+};
+
+/// Springs of one contact, carried from step to step.
+struct History {
+  Vec3 spring;  ///< tangential [m]
+  Vec3 angle;   ///< rolling [rad]
+};
+
+/// On body i; body j gets the opposite force and rolling torque, and its own lever arm.
+struct ContactLoad {
+  Vec3 normal;      ///< [N]
+  Vec3 tangential;  ///< [N]
+  Vec3 rolling;     ///< [N m]
+};
+
+/// Evaluates one contact and moves its springs on by dt.
+///
+///   F_t = -k_t spring - gamma_t u_t    while k_t |spring| <= mu |F_n|  (sticking)
+///   F_t = -k_t spring                  otherwise, the spring cut back to mu |F_n| / k_t (sliding)
+///
+/// The springs are turned into the present contact plane before they are moved. A contact that does
+/// not touch has no force and loses its springs.
+/// Source: thesis eq. 4.13 and the Coulomb limit below it; cut-back as in LIGGGHTS (history).
+template <class Law, class Rolling>
+inline ContactLoad evaluate_contact(const Law& law,
+                                    const Rolling& rolling,
+                                    double mu,
+                                    double dt,
+                                    const Kinematics& c,
+                                    const Coefficients& k,
+                                    History& history) {
+  constexpr double tiny = 1e-300;  // 0 / 0 of contacts without force gives 0
+  const Vec3 n = c.normal;
+  const double v_n = dot(c.velocity, n);
+  const Vec3 u_t = c.velocity - v_n * n - cross(c.surface, n);
+  const Response r = law(c.overlap, v_n, k);
+  const double f_n = std::abs(r.f_n);
+
+  Vec3 spring = history.spring - dot(history.spring, n) * n + dt * u_t;
+  const double trial = r.k_t * norm(spring);
+  const double limit = mu * f_n;
+  const bool slides = trial > limit;
+  const bool touches = c.overlap > 0.0;
+  const double keep = slides ? limit / (trial + tiny) : 1.0;
+  spring *= touches ? keep : 0.0;
+  const double gamma_t = slides || !touches ? 0.0 : r.gamma_t;
+
+  Vec3 angle = history.angle - dot(history.angle, n) * n;
+  const Vec3 w_r = c.spin - dot(c.spin, n) * n;
+  const double f_elastic = law(c.overlap, 0.0, k).f_n;
+  const RollingContact rc{
+      .r_eff = c.r_eff, .f_n = f_n, .f_elastic = f_elastic, .k_t = r.k_t, .dt = dt};
+  Vec3 torque = rolling(w_r, rc, angle);
+  angle *= touches ? 1.0 : 0.0;
+  torque *= touches ? 1.0 : 0.0;
+
+  history = {spring, angle};
+  return {.normal = r.f_n * n, .tangential = -r.k_t * spring - gamma_t * u_t, .rolling = torque};
+}
+
+}  // namespace packbed::dem

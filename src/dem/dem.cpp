@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dem/dem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "dem/neighbors.hpp"
+
+namespace packbed::dem {
+namespace {
+
+double largest_diameter(const std::vector<BeadStart>& beads) {
+  double largest = 0.0;
+  for (const auto& bead : beads) largest = std::max(largest, bead.properties.diameter);
+  return largest;
+}
+
+std::string where(const BeadProperties& bead, const Vec3& x) {
+  return fmt::format("bead {} at ({:.6g}, {:.6g}, {:.6g}) mm", bead.id, 1e3 * x.x, 1e3 * x.y,
+                     1e3 * x.z);
+}
+
+bool finite(const Vec3& a) {
+  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
+
+}  // namespace
+
+Dem::Dem(const DemOptions& options, const std::vector<BeadStart>& beads, std::vector<Wall> walls)
+    : options_(options),
+      particles_(make_particles(beads, options.inertia_scale)),
+      walls_(std::move(walls)),
+      wall_contacts_(walls_.size()),
+      cell_(std::max(largest_diameter(beads), 1e-12)) {
+  constexpr double skin_of_diameter = 0.05;
+  if (options_.skin <= 0.0) options_.skin = skin_of_diameter * cell_;
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    particles_.load[i].force.z = -particles_.properties[i].weight;
+  }
+  renew();
+  check_overlaps();
+}
+
+void Dem::run(std::int64_t count) {
+  for (std::int64_t n = 0; n < count; ++n) step_once();
+}
+
+void Dem::step_once() {
+  const double dt = options_.step;
+  renew_if_needed();
+  add_forces(dt);
+  integrate(0.5 * (last_step_ + dt), dt);
+  move_walls(dt);
+  last_step_ = dt;
+  time_ += dt;
+  ++steps_;
+}
+
+void Dem::add_forces(double dt) {
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    add_wall_forces(options_.model, walls_[w], wall_contacts_[w], particles_, dt);
+  }
+  add_contact_forces(options_.model, contacts_, particles_, dt);
+}
+
+// kick: time over which the force acts on the velocity (half a step at the start); drift: the step.
+void Dem::integrate(double kick, double drift) {
+  const double damp = 0.5 * kick * options_.background_damping;
+  const double keep = (1.0 - damp) / (1.0 + damp);
+  const double push = kick / (1.0 + damp);
+  Vec3 largest;
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    Motion& m = particles_.motion[i];
+    Spin& s = particles_.spin[i];
+    Load& load = particles_.load[i];
+    const bool free = m.inv_mass > 0.0;
+    m.v = (free ? keep : 1.0) * m.v + (push * m.inv_mass) * load.force;
+    s.w = (free ? keep : 1.0) * s.w + (push * m.inv_inertia) * load.torque;
+    m.x += drift * m.v;
+    load = {.force = {0.0, 0.0, -particles_.properties[i].weight},
+            .zero_1 = 0,
+            .torque = {},
+            .zero_2 = 0};
+    const Vec3 d = m.x - particles_.reference[i];
+    largest = {std::max(largest.x, std::abs(d.x)), std::max(largest.y, std::abs(d.y)),
+               std::max(largest.z, std::abs(d.z))};
+  }
+  moved_ = norm(largest);  // the norm of the largest components bounds the largest displacement
+}
+
+void Dem::move_walls(double drift) {
+  double fastest = 0.0;
+  for (auto& wall : walls_) {
+    if (auto* plane = std::get_if<Plane>(&wall.surface)) plane->point += drift * wall.velocity;
+    if (auto* disc = std::get_if<Disc>(&wall.surface)) disc->center += drift * wall.velocity;
+    fastest = std::max(fastest, norm(wall.velocity));
+  }
+  walls_moved_ += drift * fastest;
+}
+
+// Two beads may each have moved by moved_, a bead and a wall by moved_ and walls_moved_. NaN renews
+// too, and is found there.
+void Dem::renew_if_needed() {
+  const bool lists_hold = 2.0 * moved_ < options_.skin && moved_ + walls_moved_ < options_.skin;
+  if (!lists_hold) renew();
+}
+
+void Dem::renew() {
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    const auto& m = particles_.motion[i];
+    if (finite(m.x) && finite(m.v) && finite(particles_.spin[i].w)) continue;
+    throw DivergenceError(
+        fmt::format("step {}, time {:.6g} s: {} has a position or velocity that is not a number; "
+                    "take a smaller step",
+                    steps_, time_, where(particles_.properties[i], m.x)));
+  }
+  const auto wraps = wrap(particles_, options_.domain);
+  const auto order = key_order(particles_, options_.domain, cell_);
+  std::vector<std::int32_t> place(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    place[static_cast<std::size_t>(order[k])] = static_cast<std::int32_t>(k);
+  }
+  reorder(particles_, order);
+  auto pairs = find_pairs(particles_, options_.domain, options_.skin);
+  carry_over(pairs, contacts_.pairs(), place, wraps);
+  fill_coefficients(pairs);
+  contacts_ = ContactList(pairs, options_.domain, static_cast<std::int32_t>(particles_.size()));
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    wall_contacts_[w] =
+        find_wall_contacts(walls_[w], particles_, options_.skin, wall_contacts_[w], place);
+    fill_coefficients(walls_[w], wall_contacts_[w]);
+  }
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    particles_.reference[i] = particles_.motion[i].x;
+  }
+  moved_ = 0.0;
+  walls_moved_ = 0.0;
+  ++renewals_;
+}
+
+void Dem::fill_coefficients(std::vector<PairContact>& pairs) const {
+  for (auto& p : pairs) {
+    if (p.coefficients.a >= 0.0) continue;
+    const auto& i = particles_.properties[static_cast<std::size_t>(p.i)];
+    const auto& j = particles_.properties[static_cast<std::size_t>(p.j)];
+    const double m_eff = effective(i.mass, j.mass);
+    const Pair pair{.i = i.material,
+                    .j = j.material,
+                    .r_eff = effective(0.5 * i.diameter, 0.5 * j.diameter),
+                    .m_eff = m_eff,
+                    .m_scaled = options_.inertia_scale * m_eff};
+    p.coefficients =
+        std::visit([&](const auto& law) { return law.coefficients(pair); }, options_.model.contact);
+  }
+}
+
+void Dem::fill_coefficients(const Wall& wall, WallContacts& contacts) const {
+  for (auto& contact : contacts) {
+    if (contact.coefficients.a >= 0.0) continue;
+    const auto& bead = particles_.properties[static_cast<std::size_t>(contact.bead)];
+    const Pair pair{.i = bead.material,
+                    .j = wall.material,
+                    .r_eff = 0.5 * bead.diameter,
+                    .m_eff = bead.mass,
+                    .m_scaled = options_.inertia_scale * bead.mass};
+    contact.coefficients =
+        std::visit([&](const auto& law) { return law.coefficients(pair); }, options_.model.contact);
+  }
+}
+
+double Dem::overlap(const PairContact& p) const {
+  const auto i = static_cast<std::size_t>(p.i);
+  const auto j = static_cast<std::size_t>(p.j);
+  const Vec3 d = particles_.motion[i].x - particles_.motion[j].x - offset(options_.domain, p.image);
+  return particles_.radius(i) + particles_.radius(j) - norm(d);
+}
+
+void Dem::check_overlaps() const {
+  for (const auto& p : contacts_.pairs()) {
+    const auto i = static_cast<std::size_t>(p.i);
+    const auto j = static_cast<std::size_t>(p.j);
+    const double smaller = 2.0 * std::min(particles_.radius(i), particles_.radius(j));
+    const double depth = overlap(p);
+    if (depth <= options_.overlap_limit * smaller) continue;
+    throw DivergenceError(fmt::format(
+        "step {}, time {:.6g} s: {} overlaps bead {} by {:.3g} um, {:.3g} of the smaller diameter; "
+        "the limit is {:.3g}. Take a smaller step, softer loads or stiffer beads, or start with "
+        "beads "
+        "apart",
+        steps_, time_, where(particles_.properties[i], particles_.motion[i].x),
+        particles_.properties[j].id, 1e6 * depth, depth / smaller, options_.overlap_limit));
+  }
+}
+
+StableStep Dem::stable() const {
+  return stable_step(options_.model, particles_, contacts_, walls_, wall_contacts_);
+}
+
+}  // namespace packbed::dem

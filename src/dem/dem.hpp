@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// @file
+/// Beads, walls and contacts stepped in time. Velocity Verlet in leapfrog form: after the first step
+/// velocities stand at half steps, and the laws see v(n - 1/2). Order 2 without damping, 1 with.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "dem/contact_list.hpp"
+#include "dem/domain.hpp"
+#include "dem/force_pass.hpp"
+#include "dem/particles.hpp"
+#include "dem/stable_step.hpp"
+#include "dem/walls.hpp"
+
+namespace packbed::dem {
+
+struct DemOptions {
+  Domain domain;
+  ContactModel model;
+  double step = 0.0;                ///< [s]
+  double inertia_scale = 1.0;       ///< on mass and moment of inertia, not on weight or stiffness
+  double background_damping = 0.0;  ///< 1 / time in which a free bead would slow down [1/s]
+  double skin = 0.0;                ///< gap below which pairs are listed [m]; 0: chosen
+  double overlap_limit = 0.3;       ///< of the smaller diameter; beyond it the run stops
+};
+
+/// What a look at the beds costs, so it is taken when asked for: forces at the present positions,
+/// velocities at the present time.
+struct Snapshot {
+  double time;                      ///< [s]
+  std::vector<Vec3> x, v, w;        ///< one per bead, in the order of ids
+  std::vector<Vec3> force, torque;  ///< of contacts and walls, without weight
+  std::vector<Vec3> wall_force;     ///< on each wall [N]
+  double kinetic_energy;            ///< with the masses that move [J]
+  double elastic_energy;            ///< of normal and tangential springs [J]
+  double mean_contact_force;        ///< of touching pairs and wall contacts [N]
+  double mean_unbalanced_force;     ///< of beads that are free, weight included [N]
+  double mean_overlap;              ///< of touching pairs [m]
+  double max_overlap_ratio;         ///< overlap / smaller diameter
+  double coordination_number;       ///< touching pairs of beads, two per pair, per bead
+};
+
+class Dem {
+ public:
+  /// Throws DivergenceError for overlaps beyond the limit.
+  Dem(const DemOptions& options, const std::vector<BeadStart>& beads, std::vector<Wall> walls);
+
+  /// `count` time steps. Throws DivergenceError naming bead, position and step.
+  void run(std::int64_t count);
+
+  /// From the next step on; the half step between the two is taken with their mean.
+  void set_step(double step) { options_.step = step; }
+
+  [[nodiscard]] Snapshot snapshot() const;
+  /// Throws DivergenceError for the first overlap beyond the limit. The driver asks at every output.
+  void check_overlaps() const;
+  [[nodiscard]] StableStep stable() const;
+  [[nodiscard]] double time() const { return time_; }
+  [[nodiscard]] std::int64_t steps() const { return steps_; }
+  [[nodiscard]] std::int64_t renewals() const { return renewals_; }
+  [[nodiscard]] const Particles& particles() const { return particles_; }
+  [[nodiscard]] const ContactList& contacts() const { return contacts_; }
+  [[nodiscard]] std::vector<Wall>& walls() { return walls_; }
+  [[nodiscard]] const std::vector<WallContacts>& wall_contacts() const { return wall_contacts_; }
+
+ private:
+  void step_once();
+  void renew();
+  void renew_if_needed();
+  void fill_coefficients(std::vector<PairContact>& pairs) const;
+  void fill_coefficients(const Wall& wall, WallContacts& contacts) const;
+  void add_forces(double dt);
+  void integrate(double kick, double drift);
+  void move_walls(double drift);
+  [[nodiscard]] double overlap(const PairContact& p) const;
+
+  DemOptions options_;
+  Particles particles_;
+  std::vector<Wall> walls_;
+  ContactList contacts_;
+  std::vector<WallContacts> wall_contacts_;
+  double cell_ = 0.0;         ///< width of the key grid [m]
+  double moved_ = 0.0;        ///< bound of the largest displacement since the last renewal [m]
+  double walls_moved_ = 0.0;  ///< of the fastest wall since then [m]
+  double last_step_ = 0.0;    ///< 0 before the first step
+  double time_ = 0.0;
+  std::int64_t steps_ = 0;
+  std::int64_t renewals_ = 0;
+};
+
+}  // namespace packbed::dem

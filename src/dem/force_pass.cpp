@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dem/force_pass.hpp"
+
+namespace packbed::dem {
+namespace {
+
+/// Relative motion of the pairs of one block, one lane each.
+struct alignas(64) Relative {
+  double x[3][lanes];         ///< x_i - x_j
+  double v[3][lanes];         ///< v_i - v_j
+  double sum_w[3][lanes];     ///< w_i + w_j
+  double diff_w[3][lanes];    ///< w_i - w_j
+  double mean_r[lanes];       ///< (R_i + R_j) / 2
+  double half_diff_r[lanes];  ///< (R_i - R_j) / 2
+};
+
+/// Forces on the beads of one block. j gets the opposite force.
+struct alignas(64) Forces {
+  double force[3][lanes];
+  double torque_i[3][lanes];
+  double torque_j[3][lanes];
+};
+
+inline void put(double (&rows)[3][lanes], int lane, const Vec3& a) {
+  rows[0][lane] = a.x;
+  rows[1][lane] = a.y;
+  rows[2][lane] = a.z;
+}
+
+inline Vec3 get(const double (&rows)[3][lanes], int lane) {
+  return {rows[0][lane], rows[1][lane], rows[2][lane]};
+}
+
+void gather(const ContactBlock& block, const Particles& particles, Relative& relative) {
+  const Motion* motion = particles.motion.data();
+  const Spin* spin = particles.spin.data();
+  for (int lane = 0; lane < lanes; ++lane) {
+    const auto i = block.i[lane];
+    const auto j = block.j[lane];
+    put(relative.x, lane, motion[i].x - motion[j].x - get(block.shift, lane));
+    put(relative.v, lane, motion[i].v - motion[j].v);
+    put(relative.sum_w, lane, spin[i].w + spin[j].w);
+    put(relative.diff_w, lane, spin[i].w - spin[j].w);
+    relative.mean_r[lane] = spin[i].half_radius + spin[j].half_radius;
+    relative.half_diff_r[lane] = spin[i].half_radius - spin[j].half_radius;
+  }
+}
+
+// With the arms c_i, c_j = r / 2 +- (R_i - R_j) / 2, which add up to the distance r:
+// c_i w_i + c_j w_j = r / 2 (w_i + w_j) + (R_i - R_j) / 2 (w_i - w_j).
+template <class Law, class Rolling>
+void evaluate(const Law& law,
+              const Rolling& rolling,
+              double mu,
+              double dt,
+              const Relative& __restrict relative,
+              ContactBlock& __restrict block,
+              Forces& __restrict out) {
+#pragma GCC ivdep
+  for (int lane = 0; lane < lanes; ++lane) {
+    const Vec3 d = get(relative.x, lane);
+    const double r = std::sqrt(dot(d, d));
+    const Vec3 n = (1.0 / r) * d;
+    const double s = relative.mean_r[lane];
+    const double h = relative.half_diff_r[lane];
+    const Vec3 diff_w = get(relative.diff_w, lane);
+    const Kinematics c{.normal = n,
+                       .overlap = 2.0 * s - r,
+                       .velocity = get(relative.v, lane),
+                       .surface = 0.5 * r * get(relative.sum_w, lane) + h * diff_w,
+                       .spin = diff_w,
+                       .r_eff = (s * s - h * h) / (2.0 * s)};
+    const Coefficients k{block.coefficient[0][lane], block.coefficient[1][lane],
+                         block.coefficient[2][lane]};
+    History history{get(block.spring, lane), get(block.angle, lane)};
+    const ContactLoad load = evaluate_contact(law, rolling, mu, dt, c, k, history);
+    put(block.spring, lane, history.spring);
+    put(block.angle, lane, history.angle);
+    const Vec3 lever = cross(n, load.tangential);  // arm -c_i n on i, c_j n on j
+    put(out.force, lane, load.normal + load.tangential);
+    put(out.torque_i, lane, -(0.5 * r + h) * lever + load.rolling);
+    put(out.torque_j, lane, -(0.5 * r - h) * lever - load.rolling);
+  }
+}
+
+void scatter(const ContactBlock& block, const Forces& forces, Particles& particles) {
+  Load* load = particles.load.data();
+  for (int lane = 0; lane < lanes; ++lane) {
+    Load& i = load[block.i[lane]];
+    Load& j = load[block.j[lane]];
+    const Vec3 force = get(forces.force, lane);
+    i.force += force;
+    i.torque += get(forces.torque_i, lane);
+    j.force -= force;
+    j.torque += get(forces.torque_j, lane);
+  }
+}
+
+template <class Law, class Rolling>
+void add_forces(const Law& law,
+                const Rolling& rolling,
+                double mu,
+                double dt,
+                ContactList& contacts,
+                Particles& particles) {
+  Relative relative;
+  Forces forces;
+  for (auto& block : contacts.blocks) {
+    gather(block, particles, relative);
+    evaluate(law, rolling, mu, dt, relative, block, forces);
+    scatter(block, forces, particles);
+  }
+}
+
+template <class Law, class Rolling>
+Vec3 add_wall_forces(const Law& law,
+                     const Rolling& rolling,
+                     double dt,
+                     const Wall& wall,
+                     WallContacts& contacts,
+                     Particles& particles) {
+  Vec3 on_wall;
+  for (auto& contact : contacts) {
+    const auto i = static_cast<std::size_t>(contact.bead);
+    const auto c = wall_kinematics(wall, particles.motion[i], particles.spin[i]);
+    const auto load =
+        evaluate_contact(law, rolling, wall.friction, dt, c, contact.coefficients, contact.history);
+    const double arm = c.r_eff - c.overlap;
+    const Vec3 force = load.normal + load.tangential;
+    particles.load[i].force += force;
+    particles.load[i].torque += load.rolling - arm * cross(c.normal, load.tangential);
+    on_wall -= force;
+  }
+  return on_wall;
+}
+
+}  // namespace
+
+void add_contact_forces(const ContactModel& model,
+                        ContactList& contacts,
+                        Particles& particles,
+                        double dt) {
+  std::visit(
+      [&](const auto& law, const auto& rolling) {
+        add_forces(law, rolling, model.friction, dt, contacts, particles);
+      },
+      model.contact, model.rolling);
+}
+
+Vec3 add_wall_forces(const ContactModel& model,
+                     const Wall& wall,
+                     WallContacts& contacts,
+                     Particles& particles,
+                     double dt) {
+  return std::visit(
+      [&](const auto& law, const auto& rolling) {
+        return add_wall_forces(law, rolling, dt, wall, contacts, particles);
+      },
+      model.contact, model.rolling);
+}
+
+}  // namespace packbed::dem

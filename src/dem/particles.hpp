@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// @file
+/// The beads in the records that the contact loop wants: one cache line of motion, half a line of
+/// spin, one line of load. Beads stand in the order of the last renewal (dem/neighbors.hpp); two
+/// dummies that touch nothing follow the last one and fill up blocks of contacts.
+
+#include <cstdint>
+#include <vector>
+
+#include "core/aligned.hpp"
+#include "core/vec3.hpp"
+#include "dem/material.hpp"
+
+namespace packbed::dem {
+
+/// Velocities belong to half steps while a run is under way (dem/dem.hpp).
+struct alignas(64) Motion {
+  Vec3 x;              ///< center [m]
+  Vec3 v;              ///< [m/s]
+  double inv_mass;     ///< 1 / (inertia scale m) [1/kg]; 0 for a fixed bead
+  double inv_inertia;  ///< 1 / (inertia scale I) [1/(kg m2)]; 0 for a fixed bead
+};
+
+struct alignas(32) Spin {
+  Vec3 w;              ///< [rad/s]
+  double half_radius;  ///< R / 2 [m]
+};
+
+struct alignas(64) Load {
+  Vec3 force;  ///< [N]
+  double zero_1;
+  Vec3 torque;  ///< [N m]
+  double zero_2;
+};
+
+/// What a bead is made of; one value per bead.
+struct BeadProperties {
+  std::int64_t id = 0;
+  double diameter = 0.0;  ///< [m]
+  double mass = 0.0;      ///< true mass [kg]
+  double weight = 0.0;    ///< weight less buoyancy, downwards [N]
+  Material material;
+  bool fixed = false;
+};
+
+struct Particles {
+  AlignedVector<Motion> motion;
+  AlignedVector<Spin> spin;
+  AlignedVector<Load> load;
+  std::vector<Vec3> reference;  ///< centers at the last renewal
+  std::vector<BeadProperties> properties;
+
+  /// Without the two dummies.
+  [[nodiscard]] std::size_t size() const { return properties.size(); }
+  [[nodiscard]] double radius(std::size_t i) const { return 2.0 * spin[i].half_radius; }
+};
+
+/// How a bead starts.
+struct BeadStart {
+  BeadProperties properties;
+  Vec3 x;  ///< [m]
+  Vec3 v;  ///< [m/s]
+  Vec3 w;  ///< [rad/s]
+};
+
+/// Particles from their start; inertia is scaled by `inertia_scale`.
+Particles make_particles(const std::vector<BeadStart>& beads, double inertia_scale);
+
+/// Puts bead order[k] at place k.
+void reorder(Particles& particles, const std::vector<std::int32_t>& order);
+
+}  // namespace packbed::dem

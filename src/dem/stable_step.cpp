@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dem/stable_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace packbed::dem {
+namespace {
+
+constexpr double least_overlap = 0.01;  // of R*: what a bead that only just touches will see
+
+struct Sums {
+  double k = 0.0;
+  double gamma = 0.0;
+  int contacts = 0;
+};
+
+// Root of step^2 w^2 + 2 step c = 4.
+double largest_step(double w2, double c) {
+  if (w2 <= 0.0) return std::numeric_limits<double>::infinity();
+  return (std::sqrt(c * c + 4.0 * w2) - c) / w2;
+}
+
+void add(const ContactLaw& law, double overlap, double r_eff, const Coefficients& k, Sums& sums) {
+  std::visit(
+      [&](const auto& l) {
+        const double at = std::max(overlap, least_overlap * r_eff);
+        const Response response = l(at, 0.0, k);
+        sums.k += std::max(l.stiffness(at, k), response.k_t);
+        sums.gamma += l.damping(at, k);
+        ++sums.contacts;
+      },
+      law);
+}
+
+}  // namespace
+
+StableStep stable_step(const ContactModel& model,
+                       const Particles& particles,
+                       const ContactList& contacts,
+                       const std::vector<Wall>& walls,
+                       const std::vector<WallContacts>& wall_contacts) {
+  std::vector<Sums> sums(particles.size());
+  for (std::size_t q = 0; q < contacts.size(); ++q) {
+    const auto p = contacts.pair(q);
+    const auto i = static_cast<std::size_t>(p.i);
+    const auto j = static_cast<std::size_t>(p.j);
+    const auto& block = contacts.blocks[q / lanes];
+    const auto lane = q % lanes;
+    const Vec3 shift{block.shift[0][lane], block.shift[1][lane], block.shift[2][lane]};
+    const double r_i = particles.radius(i);
+    const double r_j = particles.radius(j);
+    const double distance = norm(particles.motion[i].x - particles.motion[j].x - shift);
+    const double overlap = r_i + r_j - distance;
+    if (overlap <= 0.0) continue;
+    add(model.contact, overlap, effective(r_i, r_j), p.coefficients, sums[i]);
+    add(model.contact, overlap, effective(r_i, r_j), p.coefficients, sums[j]);
+  }
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    for (const auto& contact : wall_contacts[w]) {
+      const auto i = static_cast<std::size_t>(contact.bead);
+      const double overlap =
+          particles.radius(i) - distance_to(walls[w], particles.motion[i].x).distance;
+      if (overlap > 0.0) {
+        add(model.contact, overlap, particles.radius(i), contact.coefficients, sums[i]);
+      }
+    }
+  }
+  StableStep limit{.step = std::numeric_limits<double>::infinity()};
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const double inv_mass = particles.motion[i].inv_mass;
+    for (const auto& [share, mode] : {std::pair{0.4, "rotation"}, std::pair{1.0, "translation"}}) {
+      const double step =
+          largest_step(sums[i].k * inv_mass / share, sums[i].gamma * inv_mass / share);
+      if (step < limit.step) limit = {step, particles.properties[i].id, sums[i].contacts, mode};
+    }
+  }
+  return limit;
+}
+
+}  // namespace packbed::dem
