@@ -57,7 +57,6 @@ void Dem::step_once() {
   integrate(0.5 * (last_step_ + dt), dt);
   move_walls(dt);
   last_step_ = dt;
-  time_ += dt;
   ++steps_;
 }
 
@@ -117,7 +116,7 @@ void Dem::renew() {
     throw DivergenceError(
         fmt::format("step {}, time {:.6g} s: {} has a position or velocity that is not a number; "
                     "take a smaller step",
-                    steps_, time_, where(particles_.properties[i], m.x)));
+                    steps_, time(), where(particles_.properties[i], m.x)));
   }
   const auto wraps = wrap(particles_, options_.domain);
   const auto order = key_order(particles_, options_.domain, cell_);
@@ -192,7 +191,7 @@ void Dem::check_overlaps() const {
         "the limit is {:.3g}. Take a smaller step, softer loads or stiffer beads, or start with "
         "beads "
         "apart",
-        steps_, time_, where(particles_.properties[i], particles_.motion[i].x),
+        steps_, time(), where(particles_.properties[i], particles_.motion[i].x),
         particles_.properties[j].id, 1e6 * depth, depth / smaller, options_.overlap_limit));
   }
 }

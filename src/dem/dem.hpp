@@ -53,13 +53,20 @@ class Dem {
   void run(std::int64_t count);
 
   /// From the next step on; the half step between the two is taken with their mean.
-  void set_step(double step) { options_.step = step; }
+  void set_step(double step) {
+    time_before_ = time();
+    steps_before_ = steps_;
+    options_.step = step;
+  }
 
   [[nodiscard]] Snapshot snapshot() const;
   /// Throws DivergenceError for the first overlap beyond the limit. The driver asks at every output.
   void check_overlaps() const;
   [[nodiscard]] StableStep stable() const;
-  [[nodiscard]] double time() const { return time_; }
+  /// [s]; a product, so that a long run does not add up rounding errors.
+  [[nodiscard]] double time() const {
+    return time_before_ + static_cast<double>(steps_ - steps_before_) * options_.step;
+  }
   [[nodiscard]] std::int64_t steps() const { return steps_; }
   [[nodiscard]] std::int64_t renewals() const { return renewals_; }
   [[nodiscard]] const Particles& particles() const { return particles_; }
@@ -87,7 +94,8 @@ class Dem {
   double moved_ = 0.0;        ///< bound of the largest displacement since the last renewal [m]
   double walls_moved_ = 0.0;  ///< of the fastest wall since then [m]
   double last_step_ = 0.0;    ///< 0 before the first step
-  double time_ = 0.0;
+  double time_before_ = 0.0;  ///< when the present step size came into force [s]
+  std::int64_t steps_before_ = 0;
   std::int64_t steps_ = 0;
   std::int64_t renewals_ = 0;
 };

@@ -46,7 +46,7 @@ Snapshot Dem::snapshot() const {
   ContactList contacts = contacts_;
   auto wall_contacts = wall_contacts_;
   Snapshot s{};
-  s.time = time_;
+  s.time = time();
   for (std::size_t i = 0; i < p.size(); ++i) p.load[i] = {};
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     s.wall_force.push_back(

@@ -2,11 +2,15 @@
 #include "io/bead_csv.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "core/csv.hpp"
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "core/text.hpp"
 
 namespace packbed::io {
@@ -26,11 +30,17 @@ const std::vector<std::string> known_columns = {"x_m",
                                                 "density_kg_m3",
                                                 "youngs_modulus_Pa",
                                                 "poisson_ratio",
-                                                "resin"};
+                                                "resin",
+                                                "id"};
+
+/// Columns that we write and do not read: results.
+const std::vector<std::string> result_columns = {"fx_N",   "fy_N",   "fz_N",
+                                                 "tx_N_m", "ty_N_m", "tz_N_m"};
 
 void check_header(const CsvTable& table) {
   for (const auto& column : table.header()) {
     if (std::ranges::find(known_columns, column) != known_columns.end()) continue;
+    if (std::ranges::find(result_columns, column) != result_columns.end()) continue;
     const auto near = nearest(column, known_columns);
     throw ConfigError(fmt::format("{}: unknown column \"{}\"{}; known are {}", table.header_place(),
                                   column, near ? fmt::format(", did you mean \"{}\"?", *near) : "",
@@ -74,6 +84,24 @@ bool flag(const CsvTable& table, std::size_t row, int column) {
   const auto& text = table.text(row, column);
   if (text == "0" || text == "1") return text == "1";
   throw ConfigError(fmt::format("{}: fixed = \"{}\" must be 0 or 1", table.place(row), text));
+}
+
+std::vector<std::int64_t> ids(const CsvTable& table) {
+  std::vector<std::int64_t> values;
+  const int column = table.find("id");
+  if (column < 0) return values;
+  std::set<std::int64_t> seen;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const double id = table.number(row, column);
+    values.push_back(static_cast<std::int64_t>(id));
+    if (id != std::floor(id) || id < 0.0 || !seen.insert(values.back()).second) {
+      throw ConfigError(
+          fmt::format("{}: id = {} must be a whole number, not negative and not there "
+                      "twice",
+                      table.place(row), table.text(row, column)));
+    }
+  }
+  return values;
 }
 
 std::vector<std::array<double, 3>> vectors(const CsvTable& table,
@@ -121,9 +149,26 @@ BeadTable read_bead_csv(const std::filesystem::path& file) {
       beads.resin.push_back(table.text(row, column));
     }
   }
+  beads.id = ids(table);
   beads.file = file;
   for (std::size_t row = 0; row < table.rows(); ++row) beads.line.push_back(table.line(row));
   return beads;
+}
+
+void write_bead_csv(const std::filesystem::path& file, const std::vector<BeadRow>& rows) {
+  fmt::memory_buffer text;
+  const auto out = std::back_inserter(text);
+  fmt::format_to(
+      out,
+      "id,x_m,y_m,z_m,diameter_m,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_s,wz_rad_s,fixed,"
+      "density_kg_m3,youngs_modulus_Pa,poisson_ratio,fx_N,fy_N,fz_N,tx_N_m,ty_N_m,tz_N_m\n");
+  for (const auto& r : rows) {
+    fmt::format_to(out, "{},{},{},{},{},{},{},{}\n", r.id, fmt::join(r.x, ","), r.diameter,
+                   fmt::join(r.v, ","), fmt::join(r.w, ","), r.fixed ? 1 : 0,
+                   fmt::format("{},{},{}", r.density, r.youngs_modulus, r.poisson_ratio),
+                   fmt::format("{},{}", fmt::join(r.force, ","), fmt::join(r.torque, ",")));
+  }
+  write_text_file(file, {text.data(), text.size()});
 }
 
 }  // namespace packbed::io

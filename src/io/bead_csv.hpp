@@ -6,6 +6,7 @@
 /// `fixed`, material and resin of each bead (docs/manual/bead-files.md).
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ struct BeadTable {
   std::vector<double> diameter;              ///< of the bead as simulated [m]
   std::vector<std::array<double, 3>> v;      ///< velocity [m/s]; zero where not given
   std::vector<std::array<double, 3>> omega;  ///< spin [rad/s]; zero where not given
+  std::vector<std::int64_t> id;              ///< optional; the row, from 0, where not given
   std::vector<bool> fixed;                   ///< optional
   std::vector<double> density;               ///< optional [kg/m3]
   std::vector<double> youngs_modulus;        ///< optional [Pa]
@@ -35,5 +37,21 @@ struct BeadTable {
 /// Throws DataError if the file cannot be read; ConfigError naming line, column and value for a
 /// missing or unknown column, a value that is not a finite number, or one out of range.
 BeadTable read_bead_csv(const std::filesystem::path& file);
+
+/// One bead as it is written.
+struct BeadRow {
+  std::int64_t id;
+  std::array<double, 3> x, v, w;  ///< [m], [m/s], [rad/s]
+  double diameter;                ///< [m]
+  bool fixed;
+  double density;         ///< [kg/m3]
+  double youngs_modulus;  ///< [Pa]
+  double poisson_ratio;
+  std::array<double, 3> force, torque;  ///< of contacts and walls [N], [N m]
+};
+
+/// Writes beads in full double precision, in a form that read_bead_csv takes. Throws DataError if the
+/// file cannot be written.
+void write_bead_csv(const std::filesystem::path& file, const std::vector<BeadRow>& rows);
 
 }  // namespace packbed::io

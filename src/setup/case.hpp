@@ -137,6 +137,7 @@ struct NumericsOptions {
   std::optional<double> inertia_scale;  ///< none: chosen by the program
   std::uint64_t seed = 0;
   bool gravity = true;
+  bool force_step = false;  ///< run with a step that is known to be too long
   bool operator==(const NumericsOptions&) const = default;
 };
 

@@ -6,11 +6,10 @@
 #include <numbers>
 
 #include "continuum/packed_bed.hpp"
+#include "setup/make_dem.hpp"
 
 namespace packbed::setup {
 namespace {
-
-constexpr double gravity = 9.81;  // m/s2, thesis table B.1
 
 // Layout of the bead loop (design of the bead mechanics): per bead 64 B position and velocity,
 // 32 B spin and radius, 64 B forces, 32 B reference position, 16 B id and key; 4.1 contacts of
@@ -33,6 +32,17 @@ void collect(const std::vector<ProtocolStep>& steps,
       collect(repeat->steps, first_settle, highest_velocity);
     }
   }
+}
+
+double run_time(const std::vector<ProtocolStep>& steps) {
+  double sum = 0.0;
+  for (const auto& step : steps) {
+    if (const auto* run = std::get_if<Run>(&step.what)) sum += run->duration;
+    if (const auto* repeat = std::get_if<Repeat>(&step.what)) {
+      sum += static_cast<double>(repeat->count) * run_time(repeat->steps);
+    }
+  }
+  return sum;
 }
 
 resin::SizeDistribution sizes_of(const Case& c) {
@@ -99,6 +109,8 @@ CaseFigures figures(const Case& c) {
   if (c.liquid && f.bed && velocity > 0.0 && f.bead_volume > 0.0) {
     f.flow = flow_figures(*c.liquid, *f.bed, f.bead_mass / f.bead_volume, f.sizes.sauter, velocity);
   }
+  f.step = step_of(c);
+  f.run_time = run_time(c.protocol);
   f.memory = f.bead_count * bytes_per_bead;
   return f;
 }

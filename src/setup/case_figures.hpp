@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "dem/step_choice.hpp"
 #include "resin/size_statistics.hpp"
 #include "setup/case.hpp"
 
@@ -36,8 +37,13 @@ struct CaseFigures {
   double bead_volume = 0.0;          ///< of all beads [m3]
   std::optional<double> submerged_weight;  ///< weight less buoyancy [N]; none when dry
   std::optional<FlowFigures> flow;         ///< where there is a bed, a liquid and a flow
+  dem::StepChoice step = {};               ///< of the beads, and what it rests on
+  double run_time = 0.0;                   ///< simulated by steps that just run [s]
   double memory = 0.0;                     ///< of beads and contacts [B]
 };
+
+/// Particle-steps per second of one core, for the expected run time; docs/performance.md.
+inline constexpr double expected_rate = 10e6;
 
 /// Settled porosity where the case does not say: what the thesis's friction (0.1, rolling 0.35)
 /// settles to in a bead simulation, 0.40-0.41.

@@ -67,6 +67,23 @@ std::string flow_lines(const FlowFigures& flow) {
                             flow.pressure_drop * per_bar, flow.pressure_gradient * per_bar));
 }
 
+std::string step_lines(const Case& c, const CaseFigures& f) {
+  std::string text = figure("step", fmt::format("{:.4g} us ({})", f.step.step * per_um,
+                                                c.numerics.step ? "given" : "recommended")) +
+                     figure("steps per shortest contact",
+                            fmt::format("{:.1f}", f.step.contact_time / f.step.step)) +
+                     figure("stable in a bed up to about",
+                            fmt::format("{:.4g} us ({} contacts per bead)",
+                                        f.step.stable_in_a_bed * per_um, dem::bed_contacts));
+  if (f.run_time > 0.0) {
+    const double steps = f.run_time / f.step.step;
+    text += figure("steps of \"run\", expected time",
+                   fmt::format("{:.4g}, {:.3g} s at {:.0f} million particle-steps/s", steps,
+                               steps * f.bead_count / expected_rate, expected_rate * 1e-6));
+  }
+  return text;
+}
+
 Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 // "inner_diameter" with a length becomes "inner_diameter_m".
@@ -109,6 +126,9 @@ std::string check_text(const Case& c, const CaseFigures& f) {
   text += fmt::format("#\n# Bed\n{}", bed_lines(f));
   if (c.liquid) text += fmt::format("#\n# Liquid\n{}", liquid_lines(*c.liquid));
   if (f.flow) text += fmt::format("#\n# Flow, at the highest velocity\n{}", flow_lines(*f.flow));
+  if (f.bead_count > 0.0) {
+    text += fmt::format("#\n# Time step of the beads\n{}", step_lines(c, f));
+  }
   text += "#\n# Computer\n";
   text += figure("memory of beads and contacts", fmt::format("{:.3g} MB", f.memory * 1e-6));
   return text + "\n" + to_toml(c.echo);
@@ -146,6 +166,13 @@ Json figures_json(const Case& c, const CaseFigures& f) {
   }
   if (c.liquid) {
     j["liquid"] = {{"density_kg_m3", c.liquid->density}, {"viscosity_Pa_s", c.liquid->viscosity}};
+  }
+  if (f.bead_count > 0.0) {
+    j["time_step"] = {{"step_s", f.step.step},
+                      {"shortest_contact_s", f.step.contact_time},
+                      {"steps_per_contact", f.step.contact_time / f.step.step},
+                      {"stable_step_in_a_bed_s", f.step.stable_in_a_bed},
+                      {"run_steps", std::llround(f.run_time / f.step.step)}};
   }
   j["memory_of_beads_B"] = f.memory;
   return j;

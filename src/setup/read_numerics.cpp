@@ -11,6 +11,7 @@ NumericsOptions read_numerics(Section section) {
                                                     bounds::positive, "auto", Fallback{"auto"});
   numerics.seed = static_cast<std::uint64_t>(section.integer("seed", 0, Fallback{"1"}));
   numerics.gravity = section.boolean("gravity", true);
+  numerics.force_step = section.boolean("force_step", false);
   section.finish();
   return numerics;
 }

@@ -68,6 +68,33 @@ TEST(Run, WritesTheFullCaseAndSaysWhatItDidNotDo) {
   EXPECT_EQ(summary["steps_carried_out"], 0);
 }
 
+TEST(Run, CollidesTwoBeadsOfAFile) {
+  const test::TemporaryFolder folder;
+  const auto out = folder.path().string();
+
+  const auto run = run_packbed("run cases/01_two_beads_collide/case.toml -o " + out);
+
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto last = read_text_file(out + "/frames/beads_000020.csv");
+  EXPECT_THAT(last, HasSubstr("\n0,0.000456"));
+  EXPECT_THAT(read_text_file(out + "/series.csv"), HasSubstr("time_s,step,stage,mean_overlap_m"));
+  const auto summary = nlohmann::json::parse(read_text_file(out + "/summary.json"));
+  EXPECT_EQ(summary["bead_steps"], 4000);
+  EXPECT_EQ(summary["steps_carried_out"], 1);
+}
+
+TEST(Run, RefusesAStepThatDoesNotResolveContacts) {
+  const test::TemporaryFolder folder;
+  auto text = read_text_file(PACKBED_SOURCE_DIR "/cases/01_two_beads_collide/case.toml");
+  text.replace(text.find("5 ns"), 4, "2 us");
+  const auto file = folder.file("case.toml", text);
+  (void)folder.file("beads.csv",
+                    read_text_file(PACKBED_SOURCE_DIR "/cases/01_two_beads_collide/beads.csv"));
+  const auto run = run_packbed("run " + file.string() + " -o " + (folder.path() / "out").string());
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.err, HasSubstr("leaves 3.6 steps to the shortest contact"));
+}
+
 TEST(Run, DoesNotOverwriteResultsUnasked) {
   const test::TemporaryFolder folder;
   const auto arguments = "run cases/quickstart.toml -o " + folder.path().string();

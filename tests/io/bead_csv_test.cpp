@@ -48,6 +48,37 @@ TEST_F(BeadCsv, ReadsEveryColumnInAnyOrder) {
   EXPECT_EQ(beads.resin[0], "SEP");
 }
 
+TEST_F(BeadCsv, ReadsWhatItWrote) {
+  const BeadRow row{.id = 12,
+                    .x = {1.0 / 3.0, 2e-5, -0.1},
+                    .v = {1e-300, 2.0, 3.0},
+                    .w = {4.0, 5.0, 0.1 + 0.2},
+                    .diameter = 86.9e-6,
+                    .fixed = true,
+                    .density = 1140.0,
+                    .youngs_modulus = 3e7,
+                    .poisson_ratio = 0.2,
+                    .force = {1, 2, 3},
+                    .torque = {4, 5, 6}};
+  const auto file = folder_.path() / "beads.csv";
+
+  write_bead_csv(file, {row});
+
+  const auto beads = read_bead_csv(file);
+  EXPECT_EQ(beads.id[0], 12);
+  EXPECT_EQ(beads.x[0], row.x);
+  EXPECT_EQ(beads.v[0], row.v);
+  EXPECT_EQ(beads.omega[0], row.w);
+  EXPECT_EQ(beads.diameter[0], row.diameter);
+  EXPECT_TRUE(beads.fixed[0]);
+  EXPECT_EQ(beads.youngs_modulus[0], row.youngs_modulus);
+}
+
+TEST_F(BeadCsv, RefusesIdsThatAreThereTwice) {
+  EXPECT_THAT(refusal("id,x_m,y_m,z_m,diameter_m\n3,1,1,1,1e-4\n3,2,1,1,1e-4\n"),
+              HasSubstr("b.csv:3: id = 3 must be a whole number"));
+}
+
 TEST_F(BeadCsv, RefusesMissingAndUnknownColumns) {
   EXPECT_THAT(refusal("x_m,y_m,z_m\n1,2,3\n"), HasSubstr("column \"diameter_m\" is missing"));
   EXPECT_THAT(refusal("x_m,y_m,z_m,diameter_m,vx\n1,2,3,4,5\n"),

@@ -124,7 +124,7 @@ std::string random_case() {
   for (int i = 0; i < count; ++i) text += step("protocol", 0);
   text += "[numerics]\n" + maybe("step", *element<std::string>("\"auto\"", "\"1.5 us\"")) +
           maybe("inertia_scale", *element<std::string>("\"auto\"", "500", "12.5")) +
-          maybe("seed", "7") + maybe("gravity", "false");
+          maybe("seed", "7") + maybe("gravity", "false") + maybe("force_step", "true");
   return text + "[output]\n" + maybe("interval", quantity(1, 50, {"ms"})) +
          maybe("beads_csv", "true");
 }

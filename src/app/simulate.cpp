@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/simulate.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "column/protocol/run_step.hpp"
+#include "core/error.hpp"
+#include "io/bead_csv.hpp"
+#include "io/series.hpp"
+#include "setup/make_dem.hpp"
+
+namespace packbed::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Ratio of two sums that may both be zero.
+double ratio(double a, double b) { return b > 0.0 ? a / b : 0.0; }
+
+std::vector<column::RunPlan> plans_of(const setup::Case& c, double step) {
+  std::vector<column::RunPlan> plans;
+  const auto add = [&](const auto& self, const std::vector<setup::ProtocolStep>& steps) -> void {
+    for (const auto& s : steps) {
+      if (const auto* run = std::get_if<setup::Run>(&s.what)) {
+        plans.push_back(column::plan_run(run->duration, step, c.output.interval));
+      } else if (const auto* repeat = std::get_if<setup::Repeat>(&s.what)) {
+        for (std::int64_t k = 0; k < repeat->count; ++k) self(self, repeat->steps);
+      }
+    }
+  };
+  add(add, c.protocol);
+  return plans;
+}
+
+std::array<double, 3> as_array(const Vec3& a) { return {a.x, a.y, a.z}; }
+
+/// Everything that is written while a run is under way.
+class Outputs {
+ public:
+  Outputs(const setup::Case& c,
+          const std::filesystem::path& folder,
+          std::int64_t steps,
+          std::vector<std::string> walls)
+      : folder_(folder),
+        beads_csv_(c.output.beads_csv),
+        steps_(steps),
+        walls_(std::move(walls)),
+        series_(folder / "series.csv", columns(walls_)) {
+    if (beads_csv_) std::filesystem::create_directories(folder / "frames");
+  }
+
+  void write(const dem::Dem& dem, std::size_t stage) {
+    const auto s = dem.snapshot();
+    std::vector<io::Cell> row = {s.time,
+                                 dem.steps(),
+                                 static_cast<std::int64_t>(stage),
+                                 s.mean_overlap,
+                                 s.max_overlap_ratio,
+                                 s.coordination_number,
+                                 s.kinetic_energy,
+                                 s.elastic_energy,
+                                 ratio(s.kinetic_energy, s.elastic_energy),
+                                 ratio(s.mean_unbalanced_force, s.mean_contact_force),
+                                 static_cast<std::int64_t>(dem.particles().size())};
+    for (const auto& force : s.wall_force) {
+      for (const double component : as_array(force)) row.emplace_back(component);
+    }
+    series_.row(row);
+    if (beads_csv_) write_beads(dem, s);
+    summary.kinetic_to_elastic = ratio(s.kinetic_energy, s.elastic_energy);
+    summary.unbalanced_force = ratio(s.mean_unbalanced_force, s.mean_contact_force);
+    summary.max_overlap_ratio = std::max(summary.max_overlap_ratio, s.max_overlap_ratio);
+    summary.coordination_number = s.coordination_number;
+    show_progress(dem);
+  }
+
+  RunSummary summary;
+
+ private:
+  static std::vector<std::string> columns(const std::vector<std::string>& walls) {
+    std::vector<std::string> names = {"time_s",
+                                      "step",
+                                      "stage",
+                                      "mean_overlap_m",
+                                      "max_overlap_ratio",
+                                      "coordination_number",
+                                      "kinetic_energy_J",
+                                      "elastic_energy_J",
+                                      "kinetic_to_elastic",
+                                      "unbalanced_force",
+                                      "particles"};
+    for (const auto& wall : walls) {
+      for (const char axis : {'x', 'y', 'z'}) names.push_back(fmt::format("{}_f{}_N", wall, axis));
+    }
+    return names;
+  }
+
+  void write_beads(const dem::Dem& dem, const dem::Snapshot& s) {
+    std::vector<const dem::BeadProperties*> by_id;
+    for (const auto& p : dem.particles().properties) by_id.push_back(&p);
+    std::ranges::sort(by_id, {}, [](const auto* p) { return p->id; });
+    std::vector<io::BeadRow> rows;
+    for (std::size_t i = 0; i < by_id.size(); ++i) {
+      const auto& p = *by_id[i];
+      rows.push_back({.id = p.id,
+                      .x = as_array(s.x[i]),
+                      .v = as_array(s.v[i]),
+                      .w = as_array(s.w[i]),
+                      .diameter = p.diameter,
+                      .fixed = p.fixed,
+                      .density = p.mass / (std::numbers::pi / 6.0 * std::pow(p.diameter, 3)),
+                      .youngs_modulus = p.material.youngs_modulus,
+                      .poisson_ratio = p.material.poisson_ratio,
+                      .force = as_array(s.force[i]),
+                      .torque = as_array(s.torque[i])});
+    }
+    io::write_bead_csv(folder_ / "frames" / fmt::format("beads_{:06}.csv", frame_++), rows);
+  }
+
+  void show_progress(const dem::Dem& dem) {
+    const bool terminal = isatty(STDERR_FILENO) == 1;
+    const double done =
+        steps_ > 0 ? static_cast<double>(dem.steps()) / static_cast<double>(steps_) : 1.0;
+    const double spent = seconds_since(start_);
+    if (!terminal || (spent - shown_ < 0.2 && done < 1.0)) return;
+    shown_ = spent;
+    const double rate = static_cast<double>(dem.steps()) *
+                        static_cast<double>(dem.particles().size()) / std::max(spent, 1e-9);
+    fmt::print(
+        stderr, "\rrun: {:5.1f} %  time {:.4g} s  {:.3g} million particle-steps/s  {:.0f} s left ",
+        100.0 * done, dem.time(), rate * 1e-6, done > 0.0 ? spent * (1.0 - done) / done : 0.0);
+    if (done >= 1.0) fmt::print(stderr, "\n");
+  }
+
+  std::filesystem::path folder_;
+  bool beads_csv_;
+  std::int64_t steps_;
+  std::vector<std::string> walls_;
+  io::SeriesWriter series_;
+  std::int64_t frame_ = 0;
+  double shown_ = -1.0;
+  Clock::time_point start_ = Clock::now();
+};
+
+bool only_runs(const std::vector<setup::ProtocolStep>& steps) {
+  return std::ranges::all_of(steps, [](const auto& s) {
+    const auto* repeat = std::get_if<setup::Repeat>(&s.what);
+    return std::holds_alternative<setup::Run>(s.what) ||
+           (repeat != nullptr && only_runs(repeat->steps));
+  });
+}
+
+void check_resolution(const setup::Case& c, const dem::StepChoice& choice) {
+  const double per_contact = choice.contact_time / choice.step;
+  if (c.numerics.force_step || per_contact >= dem::fewest_steps_per_contact * (1.0 - 1e-9)) return;
+  throw ConfigError(
+      fmt::format("{}: numerics.step = {:.4g} s leaves {:.2g} steps to the shortest contact "
+                  "({:.4g} s); give at most "
+                  "{:.4g} s, leave it out, or set numerics.force_step = true",
+                  c.file.string(), choice.step, per_contact, choice.contact_time,
+                  choice.contact_time / dem::fewest_steps_per_contact));
+}
+
+}  // namespace
+
+bool can_simulate(const setup::Case& c) { return c.beads.csv && only_runs(c.protocol); }
+
+RunSummary simulate(const setup::Case& c, const std::filesystem::path& folder) {
+  const auto start = Clock::now();
+  const auto choice = setup::step_of(c);
+  check_resolution(c, choice);
+  const auto plans = plans_of(c, choice.step);
+  std::int64_t total = 0;
+  for (const auto& plan : plans) total += plan.steps;
+
+  auto dem = setup::make_dem(c, choice.step);
+  std::vector<std::string> walls;
+  for (const auto& wall : dem.walls()) walls.push_back(wall.name);
+  Outputs outputs(c, folder, total, walls);
+  outputs.write(dem, 0);
+  for (std::size_t k = 0; k < plans.size(); ++k) {
+    column::run_step(dem, plans[k], c.numerics.force_step, [&] { outputs.write(dem, k + 1); });
+  }
+  auto summary = outputs.summary;
+  summary.simulated_time = dem.time();
+  summary.steps = dem.steps();
+  summary.renewals = dem.renewals();
+  summary.step = plans.empty() ? choice.step : plans.back().step;
+  summary.wall_time = seconds_since(start);
+  return summary;
+}
+
+}  // namespace packbed::app
