@@ -31,16 +31,23 @@ bool finite(const Vec3& a) {
 
 }  // namespace
 
-Dem::Dem(const DemOptions& options, const std::vector<BeadStart>& beads, std::vector<Wall> walls)
+Dem::Dem(const DemOptions& options,
+         const std::vector<BeadStart>& beads,
+         std::vector<Wall> walls,
+         const Ranks& ranks)
     : options_(options),
       particles_(make_particles(beads, options.inertia_scale)),
       walls_(std::move(walls)),
       wall_contacts_(walls_.size()),
-      cell_(std::max(largest_diameter(beads), 1e-12)) {
+      ranks_(ranks),
+      bead_count_(static_cast<std::int64_t>(beads.size())),
+      cell_(std::max(largest_diameter(beads), 1e-12)),
+      partition_(options.domain, cell_, ranks) {
   constexpr double skin_of_diameter = 0.05;
   if (options_.skin <= 0.0) options_.skin = skin_of_diameter * cell_;
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
-    particles_.load[i].force.z = -particles_.properties[i].weight;
+  if (ranks_.size() > 1) {  // rank 0 starts with all beads; the first renewal deals them out
+    particles_.rank = ranks_.rank();
+    if (!ranks_.is_first()) clear(particles_);
   }
   renew();
   check_overlaps();
@@ -53,8 +60,9 @@ void Dem::run(std::int64_t count) {
 void Dem::step_once() {
   const double dt = options_.step;
   renew_if_needed();
-  add_forces(dt);
+  add_forces(spring_step());
   integrate(0.5 * (last_step_ + dt), dt);
+  if (ranks_.size() > 1) halo_.refresh(particles_, ranks_);
   move_walls(dt);
   last_step_ = dt;
   ++steps_;
@@ -68,11 +76,13 @@ void Dem::add_forces(double dt) {
 }
 
 // kick: time over which the force acts on the velocity (half a step at the start); drift: the step.
+// Halo beads are moved along and then overwritten by their owners.
 void Dem::integrate(double kick, double drift) {
   const double damp = 0.5 * kick * options_.background_damping;
   const double keep = (1.0 - damp) / (1.0 + damp);
   const double push = kick / (1.0 + damp);
-  Vec3 largest;
+  double largest = 0.0;     // displacement, squared
+  double not_finite = 0.0;  // becomes NaN with any bead: a maximum would lose it
   for (std::size_t i = 0; i < particles_.size(); ++i) {
     Motion& m = particles_.motion[i];
     Spin& s = particles_.spin[i];
@@ -85,11 +95,12 @@ void Dem::integrate(double kick, double drift) {
             .zero_1 = 0,
             .torque = {},
             .zero_2 = 0};
+    if (!particles_.is_own(i)) continue;
     const Vec3 d = m.x - particles_.reference[i];
-    largest = {std::max(largest.x, std::abs(d.x)), std::max(largest.y, std::abs(d.y)),
-               std::max(largest.z, std::abs(d.z))};
+    largest = std::max(largest, dot(d, d));
+    not_finite += 0.0 * (d.x + d.y + d.z + s.w.x + s.w.y + s.w.z);
   }
-  moved_ = norm(largest);  // the norm of the largest components bounds the largest displacement
+  moved_ = ranks_.max(std::sqrt(largest) + not_finite);
 }
 
 void Dem::move_walls(double drift) {
@@ -102,22 +113,41 @@ void Dem::move_walls(double drift) {
   walls_moved_ += drift * fastest;
 }
 
-// Two beads may each have moved by moved_, a bead and a wall by moved_ and walls_moved_. NaN renews
-// too, and is found there.
+// Two beads may each have moved by moved_, a bead and a wall by moved_ and walls_moved_. A NaN fails
+// both comparisons, so it renews, and is found there.
 void Dem::renew_if_needed() {
   const bool lists_hold = 2.0 * moved_ < options_.skin && moved_ + walls_moved_ < options_.skin;
   if (!lists_hold) renew();
 }
 
-void Dem::renew() {
+void Dem::check_finite() const {
   for (std::size_t i = 0; i < particles_.size(); ++i) {
     const auto& m = particles_.motion[i];
     if (finite(m.x) && finite(m.v) && finite(particles_.spin[i].w)) continue;
-    throw DivergenceError(
-        fmt::format("step {}, time {:.6g} s: {} has a position or velocity that is not a number; "
-                    "take a smaller step",
-                    steps_, time(), where(particles_.properties[i], m.x)));
+    throw DivergenceError(fmt::format(
+        "step {}, time {:.6g} s: {} has a position, velocity or spin that is not a number; "
+        "take a smaller step",
+        steps_, time(), where(particles_.properties[i], m.x)));
   }
+}
+
+// All ranks renew at the same step, since moved_ is the largest of all.
+void Dem::renew() {
+  check_finite();
+  if (ranks_.size() > 1) {
+    trade_beads_and_pairs();
+  } else {
+    sort_beads_and_pairs();
+  }
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    particles_.reference[i] = particles_.motion[i].x;
+  }
+  moved_ = 0.0;
+  walls_moved_ = 0.0;
+  ++renewals_;
+}
+
+void Dem::sort_beads_and_pairs() {
   const auto wraps = wrap(particles_, options_.domain);
   const auto order = key_order(particles_, options_.domain, cell_);
   std::vector<std::int32_t> place(order.size());
@@ -129,17 +159,41 @@ void Dem::renew() {
   carry_over(pairs, contacts_.pairs(), place, wraps);
   fill_coefficients(pairs);
   contacts_ = ContactList(pairs, options_.domain, static_cast<std::int32_t>(particles_.size()));
+  list_wall_contacts(place);
+}
+
+// The same on several ranks: beads and contacts travel by name, and get their places anew.
+void Dem::trade_beads_and_pairs() {
+  const auto wraps = wrap(particles_, options_.domain);
+  auto luggage = pack(particles_, contacts_.pairs(), wall_contacts_, wraps);
+  std::vector<Vec3> own;
+  for (const auto& bead : luggage.beads) own.push_back(bead.motion.x);
+  if (partition_.balance(own, options_.load_tolerance, renewals_ == 0) > options_.load_tolerance) {
+    ++repartitions_;
+  }
+  luggage = migrate(luggage, partition_, ranks_);
+  const auto foreign = halo(luggage.beads, partition_, cell_ + options_.skin, ranks_);
+  place_beads(luggage.beads, foreign, particles_);
+  reorder(particles_, key_order(particles_, options_.domain, cell_));
+
+  const auto named = place_contacts(luggage, particles_, walls_.size());
+  std::vector<std::int32_t> same(particles_.size());
+  std::iota(same.begin(), same.end(), 0);
+  auto pairs = find_pairs(particles_, options_.domain, options_.skin);
+  carry_over(pairs, named.pairs, same, std::vector<Image>(particles_.size()));
+  fill_coefficients(pairs);
+  contacts_ = ContactList(pairs, options_.domain, static_cast<std::int32_t>(particles_.size()));
+  wall_contacts_ = named.walls;
+  list_wall_contacts(same);
+  halo_ = HaloExchange(particles_, pairs, ranks_);
+}
+
+void Dem::list_wall_contacts(const std::vector<std::int32_t>& place) {
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     wall_contacts_[w] =
         find_wall_contacts(walls_[w], particles_, options_.skin, wall_contacts_[w], place);
     fill_coefficients(walls_[w], wall_contacts_[w]);
   }
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
-    particles_.reference[i] = particles_.motion[i].x;
-  }
-  moved_ = 0.0;
-  walls_moved_ = 0.0;
-  ++renewals_;
 }
 
 void Dem::fill_coefficients(std::vector<PairContact>& pairs) const {
@@ -147,7 +201,8 @@ void Dem::fill_coefficients(std::vector<PairContact>& pairs) const {
     if (p.coefficients.a >= 0.0) continue;
     const auto& i = particles_.properties[static_cast<std::size_t>(p.i)];
     const auto& j = particles_.properties[static_cast<std::size_t>(p.j)];
-    const double m_eff = effective(i.mass, j.mass);
+    // A fixed bead is as heavy as a wall.
+    const double m_eff = i.fixed ? j.mass : (j.fixed ? i.mass : effective(i.mass, j.mass));
     const Pair pair{.i = i.material,
                     .j = j.material,
                     .r_eff = effective(0.5 * i.diameter, 0.5 * j.diameter),
@@ -180,6 +235,20 @@ double Dem::overlap(const PairContact& p) const {
 }
 
 void Dem::check_overlaps() const {
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    for (const auto& contact : wall_contacts_[w]) {
+      const auto i = static_cast<std::size_t>(contact.bead);
+      const double diameter = 2.0 * particles_.radius(i);
+      const double depth = 0.5 * diameter - distance_to(walls_[w], particles_.motion[i].x).distance;
+      if (depth <= options_.overlap_limit * diameter) continue;
+      throw DivergenceError(fmt::format(
+          "step {}, time {:.6g} s: {} is {:.3g} um, {:.3g} of its diameter, inside the wall "
+          "\"{}\"; the "
+          "limit is {:.3g}. Take a smaller step or softer loads, or start with beads away from it",
+          steps_, time(), where(particles_.properties[i], particles_.motion[i].x), 1e6 * depth,
+          depth / diameter, walls_[w].name, options_.overlap_limit));
+    }
+  }
   for (const auto& p : contacts_.pairs()) {
     const auto i = static_cast<std::size_t>(p.i);
     const auto j = static_cast<std::size_t>(p.j);

@@ -9,10 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "core/ranks.hpp"
 #include "dem/contact_list.hpp"
 #include "dem/domain.hpp"
+#include "dem/exchange.hpp"
 #include "dem/force_pass.hpp"
 #include "dem/particles.hpp"
+#include "dem/partition.hpp"
 #include "dem/stable_step.hpp"
 #include "dem/walls.hpp"
 
@@ -26,6 +29,7 @@ struct DemOptions {
   double background_damping = 0.0;  ///< 1 / time in which a free bead would slow down [1/s]
   double skin = 0.0;                ///< gap below which pairs are listed [m]; 0: chosen
   double overlap_limit = 0.3;       ///< of the smaller diameter; beyond it the run stops
+  double load_tolerance = 1.2;      ///< beads of the fullest rank over the mean, before a new cut
 };
 
 /// What a look at the beds costs, so it is taken when asked for: forces at the present positions,
@@ -39,7 +43,7 @@ struct Snapshot {
   double elastic_energy;            ///< of normal and tangential springs [J]
   double mean_contact_force;        ///< of touching pairs and wall contacts [N]
   double mean_unbalanced_force;     ///< of beads that are free, weight included [N]
-  double mean_overlap;              ///< of touching pairs [m]
+  double mean_overlap;              ///< of touching pairs of beads [m]
   double max_overlap_ratio;         ///< overlap / smaller diameter
   double coordination_number;       ///< touching pairs of beads, two per pair, per bead
 };
@@ -47,7 +51,11 @@ struct Snapshot {
 class Dem {
  public:
   /// Throws DivergenceError for overlaps beyond the limit.
-  Dem(const DemOptions& options, const std::vector<BeadStart>& beads, std::vector<Wall> walls);
+  /// Every rank is given all beads and takes its own.
+  Dem(const DemOptions& options,
+      const std::vector<BeadStart>& beads,
+      std::vector<Wall> walls,
+      const Ranks& ranks = Ranks::alone());
 
   /// `count` time steps. Throws DivergenceError naming bead, position and step.
   void run(std::int64_t count);
@@ -59,6 +67,7 @@ class Dem {
     options_.step = step;
   }
 
+  /// All ranks call it; the beads are on rank 0, the sums everywhere.
   [[nodiscard]] Snapshot snapshot() const;
   /// Throws DivergenceError for the first overlap beyond the limit. The driver asks at every output.
   void check_overlaps() const;
@@ -69,7 +78,11 @@ class Dem {
   }
   [[nodiscard]] std::int64_t steps() const { return steps_; }
   [[nodiscard]] std::int64_t renewals() const { return renewals_; }
+  /// Own and halo beads of this rank.
   [[nodiscard]] const Particles& particles() const { return particles_; }
+  [[nodiscard]] std::int64_t bead_count() const { return bead_count_; }  ///< of all ranks
+  [[nodiscard]] std::int64_t repartitions() const { return repartitions_; }
+  [[nodiscard]] const Ranks& ranks() const { return ranks_; }
   [[nodiscard]] const ContactList& contacts() const { return contacts_; }
   [[nodiscard]] std::vector<Wall>& walls() { return walls_; }
   [[nodiscard]] const std::vector<WallContacts>& wall_contacts() const { return wall_contacts_; }
@@ -78,6 +91,13 @@ class Dem {
   void step_once();
   void renew();
   void renew_if_needed();
+  void check_finite() const;
+  /// Time over which v(n - 1/2) has moved the springs: the last step. Before the first one the coming
+  /// step, so that beads which slide from the start do not look as if they stuck.
+  [[nodiscard]] double spring_step() const { return last_step_ > 0.0 ? last_step_ : options_.step; }
+  void sort_beads_and_pairs();
+  void trade_beads_and_pairs();
+  void list_wall_contacts(const std::vector<std::int32_t>& place);
   void fill_coefficients(std::vector<PairContact>& pairs) const;
   void fill_coefficients(const Wall& wall, WallContacts& contacts) const;
   void add_forces(double dt);
@@ -90,14 +110,19 @@ class Dem {
   std::vector<Wall> walls_;
   ContactList contacts_;
   std::vector<WallContacts> wall_contacts_;
+  Ranks ranks_;
+  HaloExchange halo_;
+  std::int64_t bead_count_ = 0;
+  std::int64_t repartitions_ = 0;
   double cell_ = 0.0;         ///< width of the key grid [m]
-  double moved_ = 0.0;        ///< bound of the largest displacement since the last renewal [m]
+  double moved_ = 0.0;        ///< largest displacement of all beads since the last renewal [m]
   double walls_moved_ = 0.0;  ///< of the fastest wall since then [m]
   double last_step_ = 0.0;    ///< 0 before the first step
   double time_before_ = 0.0;  ///< when the present step size came into force [s]
   std::int64_t steps_before_ = 0;
   std::int64_t steps_ = 0;
   std::int64_t renewals_ = 0;
+  Partition partition_;
 };
 
 }  // namespace packbed::dem

@@ -178,7 +178,7 @@ std::vector<PairContact> find_pairs(const Particles& particles, const Domain& do
     const auto first = pairs.size();
     const Vec3 x_i = particles.motion[i].x;
     grid.for_neighbors(i, [&](std::size_t j, const Image& image) {
-      if (j <= i) return;
+      if (j <= i || (!particles.is_own(i) && !particles.is_own(j))) return;
       const Vec3 d = x_i - (particles.motion[j].x + offset(domain, image));
       const double near = particles.radius(i) + particles.radius(j) + skin;
       if (dot(d, d) >= near * near) return;

@@ -21,7 +21,7 @@ std::vector<Image> wrap(Particles& particles, const Domain& domain);
 /// `cell` is the width of that grid [m]; it must not change during a run.
 std::vector<std::int32_t> key_order(const Particles& particles, const Domain& domain, double cell);
 
-/// All pairs with a gap below `skin` [m], sorted by (i, j, image), without springs. Images are
+/// All pairs with at least one own bead and a gap below `skin` [m], sorted by (i, j, image), without springs. Images are
 /// partners of their own. Works for any ratio of sizes and any thickness of a periodic side down to
 /// the largest diameter.
 std::vector<PairContact> find_pairs(const Particles& particles, const Domain& domain, double skin);

@@ -24,22 +24,42 @@ void permute(Vector& values, const std::vector<std::int32_t>& order) {
 
 }  // namespace
 
+void clear(Particles& particles) {
+  const auto rank = particles.rank;
+  particles = {};
+  particles.rank = rank;
+  add_dummies(particles);
+}
+
+void add(Particles& particles,
+         const Motion& motion,
+         const Spin& spin,
+         const BeadProperties& properties,
+         std::int32_t owner) {
+  const auto place = static_cast<std::ptrdiff_t>(particles.size());
+  particles.motion.insert(particles.motion.begin() + place, motion);
+  particles.spin.insert(particles.spin.begin() + place, spin);
+  Load load{};
+  load.force.z = -properties.weight;
+  particles.load.insert(particles.load.begin() + place, load);
+  particles.reference.push_back(motion.x);
+  particles.properties.push_back(properties);
+  particles.owner.push_back(owner);
+}
+
 Particles make_particles(const std::vector<BeadStart>& beads, double inertia_scale) {
   Particles p;
+  clear(p);
   for (const auto& bead : beads) {
     const auto& b = bead.properties;
     const double mass = inertia_scale * b.mass;
     const double inertia = 0.1 * mass * b.diameter * b.diameter;  // 2/5 m R^2
-    p.motion.push_back({.x = bead.x,
+    const Motion motion{.x = bead.x,
                         .v = bead.v,
                         .inv_mass = b.fixed ? 0.0 : 1.0 / mass,
-                        .inv_inertia = b.fixed ? 0.0 : 1.0 / inertia});
-    p.spin.push_back({.w = bead.w, .half_radius = 0.25 * b.diameter});
-    p.load.push_back({});
-    p.reference.push_back(bead.x);
-    p.properties.push_back(b);
+                        .inv_inertia = b.fixed ? 0.0 : 1.0 / inertia};
+    add(p, motion, {.w = bead.w, .half_radius = 0.25 * b.diameter}, b, 0);
   }
-  add_dummies(p);
   return p;
 }
 
@@ -49,6 +69,7 @@ void reorder(Particles& particles, const std::vector<std::int32_t>& order) {
   permute(particles.load, order);
   permute(particles.reference, order);
   permute(particles.properties, order);
+  permute(particles.owner, order);
 }
 
 }  // namespace packbed::dem

@@ -51,8 +51,11 @@ struct Particles {
   AlignedVector<Load> load;
   std::vector<Vec3> reference;  ///< centers at the last renewal
   std::vector<BeadProperties> properties;
+  std::vector<std::int32_t> owner;  ///< rank that owns the bead
+  std::int32_t rank = 0;            ///< this one
 
-  /// Without the two dummies.
+  [[nodiscard]] bool is_own(std::size_t i) const { return owner[i] == rank; }
+  /// Own and halo beads, without the two dummies.
   [[nodiscard]] std::size_t size() const { return properties.size(); }
   [[nodiscard]] double radius(std::size_t i) const { return 2.0 * spin[i].half_radius; }
 };
@@ -65,8 +68,18 @@ struct BeadStart {
   Vec3 w;  ///< [rad/s]
 };
 
-/// Particles from their start; inertia is scaled by `inertia_scale`.
+/// Particles from their start, all own; inertia is scaled by `inertia_scale`.
 Particles make_particles(const std::vector<BeadStart>& beads, double inertia_scale);
+
+/// Takes all beads away but the dummies.
+void clear(Particles& particles);
+
+/// Adds a bead before the dummies.
+void add(Particles& particles,
+         const Motion& motion,
+         const Spin& spin,
+         const BeadProperties& properties,
+         std::int32_t owner);
 
 /// Puts bead order[k] at place k.
 void reorder(Particles& particles, const std::vector<std::int32_t>& order);

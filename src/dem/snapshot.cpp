@@ -1,40 +1,49 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "core/exact_sum.hpp"
 #include "dem/dem.hpp"
 
 namespace packbed::dem {
 namespace {
 
-/// Sums over touching contacts.
-struct ContactSums {
-  double elastic_energy = 0.0;
-  double force = 0.0;
-  double overlap = 0.0;
-  double max_overlap_ratio = 0.0;
-  std::size_t touching = 0;
+/// What a bead tells of itself.
+struct Row {
+  std::int64_t id;
+  Vec3 x, v, w, force, torque;
 };
 
-// `spring_energy` is that of the tangential spring, which the law's stiffness gives.
-void add(const ContactLaw& law,
-         double overlap,
-         double diameter,
-         const Coefficients& k,
-         const History& history,
-         ContactSums& sums) {
-  if (overlap <= 0.0) return;
-  std::visit(
-      [&](const auto& l) {
-        const Response r = l(overlap, 0.0, k);
-        const double spring = norm(history.spring);
-        sums.elastic_energy += l.energy(overlap, k) + 0.5 * r.k_t * spring * spring;
-        sums.force += std::hypot(r.f_n, r.k_t * spring);
-      },
-      law);
-  sums.overlap += overlap;
-  sums.max_overlap_ratio = std::max(sums.max_overlap_ratio, overlap / diameter);
-  ++sums.touching;
+/// One term per touching contact, for sums that must not depend on the order.
+struct ContactTerms {
+  std::vector<double> energy, force, overlap;
+  double max_overlap_ratio = 0.0;
+
+  void add(const ContactLaw& law,
+           double depth,
+           double diameter,
+           const Coefficients& k,
+           const History& history) {
+    if (depth <= 0.0) return;
+    std::visit(
+        [&](const auto& l) {
+          const Response r = l(depth, 0.0, k);
+          const double spring = norm(history.spring);
+          energy.push_back(l.energy(depth, k) + 0.5 * r.k_t * spring * spring);
+          force.push_back(std::hypot(r.f_n, r.k_t * spring));
+        },
+        law);
+    overlap.push_back(depth);
+    max_overlap_ratio = std::max(max_overlap_ratio, depth / diameter);
+  }
+};
+
+double mean(const std::vector<double>& terms, const Ranks& ranks) {
+  std::array<std::int64_t, 1> count = {static_cast<std::int64_t>(terms.size())};
+  ranks.sum(count);
+  const double sum = order_independent_sum(terms, ranks);
+  return count[0] > 0 ? sum / static_cast<double>(count[0]) : 0.0;
 }
 
 }  // namespace
@@ -49,55 +58,67 @@ Snapshot Dem::snapshot() const {
   s.time = time();
   for (std::size_t i = 0; i < p.size(); ++i) p.load[i] = {};
   for (std::size_t w = 0; w < walls_.size(); ++w) {
-    s.wall_force.push_back(
-        add_wall_forces(options_.model, walls_[w], wall_contacts[w], p, last_step_));
+    const Vec3 here =
+        add_wall_forces(options_.model, walls_[w], wall_contacts[w], p, spring_step());
+    const auto sum = [&](double term) { return order_independent_sum({&term, 1}, ranks_); };
+    s.wall_force.push_back({sum(here.x), sum(here.y), sum(here.z)});
   }
-  add_contact_forces(options_.model, contacts, p, last_step_);
+  add_contact_forces(options_.model, contacts, p, spring_step());
 
-  const std::size_t n = p.size();
-  std::vector<std::size_t> by_id(n);
-  for (std::size_t i = 0; i < n; ++i) by_id[i] = i;
-  std::ranges::sort(by_id, {}, [&](std::size_t i) { return p.properties[i].id; });
-  double unbalanced = 0.0;
-  std::size_t free_beads = 0;
-  for (const std::size_t i : by_id) {
+  std::vector<Row> rows;
+  std::vector<double> kinetic;
+  std::vector<double> unbalanced;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (!p.is_own(i)) continue;
     const auto& m = p.motion[i];
     const Vec3 weight{0.0, 0.0, -p.properties[i].weight};
     const bool free = m.inv_mass > 0.0;
     const double keep = free ? 1.0 - 0.5 * last_step_ * options_.background_damping : 1.0;
     const Vec3 v = keep * m.v + (0.5 * last_step_ * m.inv_mass) * (p.load[i].force + weight);
     const Vec3 w = keep * p.spin[i].w + (0.5 * last_step_ * m.inv_inertia) * p.load[i].torque;
-    s.x.push_back(m.x);
-    s.v.push_back(v);
-    s.w.push_back(w);
-    s.force.push_back(p.load[i].force);
-    s.torque.push_back(p.load[i].torque);
+    rows.push_back({p.properties[i].id, m.x, v, w, p.load[i].force, p.load[i].torque});
     if (!free) continue;
-    s.kinetic_energy += 0.5 * dot(v, v) / m.inv_mass + 0.5 * dot(w, w) / m.inv_inertia;
-    unbalanced += norm(p.load[i].force + weight);
-    ++free_beads;
+    kinetic.push_back(0.5 * dot(v, v) / m.inv_mass + 0.5 * dot(w, w) / m.inv_inertia);
+    unbalanced.push_back(norm(p.load[i].force + weight));
   }
-  ContactSums sums;
+  rows = ranks_.gather(rows);
+  std::ranges::sort(rows, {}, &Row::id);
+  for (const auto& row : rows) {
+    s.x.push_back(row.x);
+    s.v.push_back(row.v);
+    s.w.push_back(row.w);
+    s.force.push_back(row.force);
+    s.torque.push_back(row.torque);
+  }
+
+  // A contact between two ranks counts on the rank of its first bead.
+  ContactTerms pairs;
   for (const auto& c : contacts.pairs()) {
     const auto i = static_cast<std::size_t>(c.i);
     const auto j = static_cast<std::size_t>(c.j);
-    add(options_.model.contact, overlap(c), 2.0 * std::min(p.radius(i), p.radius(j)),
-        c.coefficients, c.history, sums);
+    if (!p.is_own(i)) continue;
+    pairs.add(options_.model.contact, overlap(c), 2.0 * std::min(p.radius(i), p.radius(j)),
+              c.coefficients, c.history);
   }
-  s.mean_overlap = sums.touching > 0 ? sums.overlap / static_cast<double>(sums.touching) : 0.0;
-  s.coordination_number =
-      n > 0 ? 2.0 * static_cast<double>(sums.touching) / static_cast<double>(n) : 0.0;
+  ContactTerms all = pairs;
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     for (const auto& c : wall_contacts[w]) {
       const auto i = static_cast<std::size_t>(c.bead);
       const double depth = p.radius(i) - distance_to(walls_[w], p.motion[i].x).distance;
-      add(options_.model.contact, depth, 2.0 * p.radius(i), c.coefficients, c.history, sums);
+      all.add(options_.model.contact, depth, 2.0 * p.radius(i), c.coefficients, c.history);
     }
   }
-  s.elastic_energy = sums.elastic_energy;
-  s.max_overlap_ratio = sums.max_overlap_ratio;
-  s.mean_contact_force = sums.touching > 0 ? sums.force / static_cast<double>(sums.touching) : 0.0;
-  s.mean_unbalanced_force = free_beads > 0 ? unbalanced / static_cast<double>(free_beads) : 0.0;
+  std::array<std::int64_t, 1> touching = {static_cast<std::int64_t>(pairs.overlap.size())};
+  ranks_.sum(touching);
+  s.kinetic_energy = order_independent_sum(kinetic, ranks_);
+  s.elastic_energy = order_independent_sum(all.energy, ranks_);
+  s.mean_contact_force = mean(all.force, ranks_);
+  s.mean_unbalanced_force = mean(unbalanced, ranks_);
+  s.mean_overlap = mean(pairs.overlap, ranks_);
+  s.max_overlap_ratio = ranks_.max(all.max_overlap_ratio);
+  s.coordination_number =
+      bead_count_ > 0 ? 2.0 * static_cast<double>(touching[0]) / static_cast<double>(bead_count_)
+                      : 0.0;
   return s;
 }
 

@@ -14,6 +14,7 @@ struct Sums {
   double k = 0.0;
   double gamma = 0.0;
   int contacts = 0;
+  double single_step = std::numeric_limits<double>::infinity();  ///< of its most delicate contact
 };
 
 // Root of step^2 w^2 + 2 step c = 4.
@@ -22,14 +23,25 @@ double largest_step(double w2, double c) {
   return (std::sqrt(c * c + 4.0 * w2) - c) / w2;
 }
 
-void add(const ContactLaw& law, double overlap, double r_eff, const Coefficients& k, Sums& sums) {
+// A sticking contact by itself: sliding and rolling of both beads act on its tangential spring,
+// (1/m + R^2/I) = 3.5 / m of each, 3.5 / m* together.
+void add(const ContactLaw& law,
+         double overlap,
+         double r_eff,
+         double inv_m_eff,
+         const Coefficients& k,
+         Sums& sums) {
   std::visit(
       [&](const auto& l) {
         const double at = std::max(overlap, least_overlap * r_eff);
         const Response response = l(at, 0.0, k);
-        sums.k += std::max(l.stiffness(at, k), response.k_t);
-        sums.gamma += l.damping(at, k);
+        const double stiffness = std::max(l.stiffness(at, k), response.k_t);
+        const double damping = l.damping(at, k);
+        sums.k += stiffness;
+        sums.gamma += damping;
         ++sums.contacts;
+        sums.single_step = std::min(
+            sums.single_step, largest_step(3.5 * stiffness * inv_m_eff, 3.5 * damping * inv_m_eff));
       },
       law);
 }
@@ -54,8 +66,9 @@ StableStep stable_step(const ContactModel& model,
     const double distance = norm(particles.motion[i].x - particles.motion[j].x - shift);
     const double overlap = r_i + r_j - distance;
     if (overlap <= 0.0) continue;
-    add(model.contact, overlap, effective(r_i, r_j), p.coefficients, sums[i]);
-    add(model.contact, overlap, effective(r_i, r_j), p.coefficients, sums[j]);
+    const double inv_m = particles.motion[i].inv_mass + particles.motion[j].inv_mass;
+    add(model.contact, overlap, effective(r_i, r_j), inv_m, p.coefficients, sums[i]);
+    add(model.contact, overlap, effective(r_i, r_j), inv_m, p.coefficients, sums[j]);
   }
   for (std::size_t w = 0; w < walls.size(); ++w) {
     for (const auto& contact : wall_contacts[w]) {
@@ -63,17 +76,22 @@ StableStep stable_step(const ContactModel& model,
       const double overlap =
           particles.radius(i) - distance_to(walls[w], particles.motion[i].x).distance;
       if (overlap > 0.0) {
-        add(model.contact, overlap, particles.radius(i), contact.coefficients, sums[i]);
+        add(model.contact, overlap, particles.radius(i), particles.motion[i].inv_mass,
+            contact.coefficients, sums[i]);
       }
     }
   }
   StableStep limit{.step = std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i < sums.size(); ++i) {
     const double inv_mass = particles.motion[i].inv_mass;
-    for (const auto& [share, mode] : {std::pair{0.4, "rotation"}, std::pair{1.0, "translation"}}) {
-      const double step =
-          largest_step(sums[i].k * inv_mass / share, sums[i].gamma * inv_mass / share);
-      if (step < limit.step) limit = {step, particles.properties[i].id, sums[i].contacts, mode};
+    if (inv_mass == 0.0) continue;
+    if (sums[i].single_step < limit.step) {
+      limit = {sums[i].single_step, particles.properties[i].id, sums[i].contacts, "single contact"};
+    }
+    const double rotation = inv_mass / 0.4;
+    const double step = largest_step(sums[i].k * rotation, sums[i].gamma * rotation);
+    if (step < limit.step) {
+      limit = {step, particles.properties[i].id, sums[i].contacts, "rotation"};
     }
   }
   return limit;

@@ -16,14 +16,16 @@ struct StableStep {
   double step;                 ///< [s]; infinite if nothing touches
   std::int64_t bead = -1;      ///< id of the bead that limits it
   int contacts = 0;            ///< that this bead has
-  std::string_view mode = "";  ///< "rotation" (on the tangential springs) or "translation"
+  std::string_view mode = "";  ///< "rotation" or "single contact"
 };
 
-/// Estimate from each bead's own contacts, fitted to where beds begin to boil:
-///   step^2 w^2 + 2 step c = 4,  w^2 = sum k / m_mode,  c = sum gamma / m_mode
-/// with m_mode = 0.4 m for the rotation on the tangential springs (I = 0.4 m R^2) and m for the
-/// translation. Stiffness and damping are those at the present overlap, or at `least_overlap` of
-/// the radius if that is more, so that beads about to touch count.
+/// The smaller of, for each bead,
+///   the limit of its contacts together, step^2 w^2 + 2 step c = 4 with w^2 = sum k / (0.4 m),
+///   c = sum gamma / (0.4 m): fitted to where beds begin to boil, by rotation on the tangential
+///   springs (I = 0.4 m R^2);
+///   the limit of each sticking contact alone, exact: w^2 = 3.5 k / m*, c = 3.5 gamma / m*.
+/// Stiffness and damping are those at the present overlap, or at 1 % of R* if that is more.
+/// On several ranks: of this rank's beads.
 StableStep stable_step(const ContactModel& model,
                        const Particles& particles,
                        const ContactList& contacts,

@@ -46,6 +46,7 @@ WallContacts find_wall_contacts(const Wall& wall,
   WallContacts contacts;
   auto next = known.begin();
   for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (!particles.is_own(i)) continue;
     const double gap = distance_to(wall, particles.motion[i].x).distance - particles.radius(i);
     if (gap >= skin) continue;
     WallContact contact;

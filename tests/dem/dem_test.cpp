@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Integration and small assemblies against exact answers. Numbers: the verification list.
+// Integration and small assemblies against exact answers. Numbers: docs/theory/contact.md, section 9.
 #include "dem/dem.hpp"
 
 #include <cmath>
@@ -212,21 +212,44 @@ TEST(Dem, StopsAtOverlapsBeyondTheLimitNamingTheBead) {
 }
 
 TEST(Dem, StopsAtNumbersThatAreNone) {
-  auto beads = head_on(0.1);
-  beads[0].v.x = std::nan("");
-  EXPECT_THAT(message_of([&] { Dem(options(hooke(0.5), 1e-8), beads, {}).run(10); }),
-              HasSubstr("not a number"));
+  auto wall = floor_at(-1.0);
+  wall.material.youngs_modulus = std::nan("");
+  const std::vector<BeadStart> beads = {bead(0, {0, 0, 0.6 * diameter_s}), bead(1, {1e-3, 0, 0})};
+  Dem dem(options(hooke(0.5), 1e-8), beads, {wall});
+  std::get<Plane>(dem.walls()[0].surface).point.z = 0.0;
+  dem.walls()[0].velocity.z = 1.0;  // renews the list; the contact then gives NaN forces
+  EXPECT_THAT(message_of([&] { dem.run(2000); }), HasSubstr("bead 0"));
 }
 
-// Rotation limits first: 2 / sqrt(k / 0.4 m) without damping for a bead with one contact.
-TEST(StableStep, OfASingleUndampedContactIsThatOfItsRotation) {
-  const auto b = bead(0, {0, 0, 0.499 * diameter_s});
-  const Dem dem(options(hooke(1.0), 1e-8), {b}, {floor_at(0)});
-  const auto limit = dem.stable();
-  EXPECT_NEAR(limit.step, 2.0 / std::sqrt(98.011745 / (0.4 * b.properties.mass)), 1e-14);
+// A sticking contact alone: w^2 = 3.5 k / m on a wall. Below the limit a disturbance stays small,
+// above it grows until it slides.
+double spin_after(double share_of_limit) {
+  auto b = bead(0, {0, 0, 0.499 * diameter_s});
+  b.properties.weight = 98.011745 * 0.001 * diameter_s;  // holds the overlap
+  b.w.y = 1e-6;
+  const double limit = 2.0 / std::sqrt(3.5 * 98.011745 / b.properties.mass);
+  Dem dem(options(hooke(1.0), share_of_limit * limit, 0.5), {b}, {floor_at(0, 0.5)});
+  EXPECT_NEAR(dem.stable().step, limit, 1e-8 * limit);  // k_n is given to 8 digits
+  EXPECT_EQ(dem.stable().mode, "single contact");
+  dem.run(3000);
+  return norm(dem.snapshot().w[0]);
+}
+
+TEST(StableStep, OfASingleContactIsWhereItBeginsToGrow) {
+  EXPECT_LT(spin_after(0.99), 1e-4);
+  EXPECT_GT(spin_after(1.01), 1e-1);
+}
+
+TEST(StableStep, NamesTheBeadAndItsContacts) {
+  const double d = diameter_s;
+  std::vector<BeadStart> beads;
+  for (int k = 0; k < 27; ++k) {
+    beads.push_back(bead(k, {(k % 3) * 0.99 * d, (k / 3 % 3) * 0.99 * d, (k / 9) * 0.99 * d}));
+  }
+  const auto limit = Dem(options(hooke(0.5), 1e-8), beads, {}).stable();
+  EXPECT_EQ(limit.bead, 13);  // the one in the middle
+  EXPECT_EQ(limit.contacts, 6);
   EXPECT_EQ(limit.mode, "rotation");
-  EXPECT_EQ(limit.bead, 0);
-  EXPECT_EQ(limit.contacts, 1);
 }
 
 }  // namespace

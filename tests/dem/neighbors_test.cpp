@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pairs against brute force, and what happens to springs at renewals. I-numbers: the verification
-// list.
+// Pairs against brute force, and what happens to springs at renewals. I-numbers: docs/theory/contact.md, section 9.
 #include "dem/neighbors.hpp"
 
 #include <algorithm>

@@ -38,7 +38,7 @@ struct ContactLoad {
 
 /// Evaluates one contact and moves its springs on by dt.
 ///
-///   F_t = -k_t spring - gamma_t u_t    while k_t |spring| <= mu |F_n|  (sticking)
+///   F_t = -k_t spring - gamma_t u_t    while k_t |spring| <  mu |F_n|  (sticking)
 ///   F_t = -k_t spring                  otherwise, the spring cut back to mu |F_n| / k_t (sliding)
 ///
 /// The springs are turned into the present contact plane before they are moved. A contact that does
@@ -62,7 +62,7 @@ inline ContactLoad evaluate_contact(const Law& law,
   Vec3 spring = history.spring - dot(history.spring, n) * n + dt * u_t;
   const double trial = r.k_t * norm(spring);
   const double limit = mu * f_n;
-  const bool slides = trial > limit;
+  const bool slides = trial >= limit;  // without friction there is no dashpot either
   const bool touches = c.overlap > 0.0;
   const double keep = slides ? limit / (trial + tiny) : 1.0;
   spring *= touches ? keep : 0.0;

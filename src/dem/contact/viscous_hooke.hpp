@@ -20,7 +20,7 @@ namespace packbed::dem {
 /// damping is critical, gamma = 2 sqrt(m* k_n), so the stable step of a bed is several times smaller
 /// than with a fixed e = 0.5.
 ///
-/// Source: thesis section 8.3, eqs 4.21, 4.22; Legendre et al., Chem. Eng. Sci. (2005).
+/// Source: thesis section 8.3, eqs 4.21, 4.22; Legendre et al. 2005, as cited there.
 struct ViscousHooke {
   static constexpr std::string_view name = "hooke_viscous";
 

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The same bits on any number of ranks. Run under mpiexec; every rank also runs the bed alone.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <tuple>
+
+#include "core/random.hpp"
+#include "tests/support/beads.hpp"
+
+namespace packbed::dem {
+namespace {
+
+using namespace test;  // NOLINT
+
+/// A cloud of beads of 50 to 140 um that is thrown about and falls: dense below, empty above.
+std::vector<BeadStart> cloud(int count) {
+  std::vector<BeadStart> beads;
+  const double pitch = 150e-6;
+  for (int k = 0; k < count; ++k) {
+    const auto u = [&](int n) {
+      return uniform(17, Stream::bead_position, static_cast<std::uint64_t>(10 * k + n));
+    };
+    const Vec3 x{(k % 8 + 0.3 + 0.1 * u(0)) * pitch, (k / 8 % 8 + 0.3 + 0.1 * u(1)) * pitch,
+                 (k / 64 + 0.5 + 0.02 * u(2)) * pitch};
+    const Vec3 v{u(3) - 0.5, u(4) - 0.5, u(5) - 0.5};
+    beads.push_back(with_weight(bead(k, x, v, (50 + 90 * u(6)) * 1e-6), 2000.0));
+  }
+  return beads;
+}
+
+Dem bed(int count, double load_tolerance, const Ranks& ranks) {
+  auto o = options(hooke(0.7, false), 2e-7, 0.3, ElasticPlastic{0.2});
+  o.domain = {.low = {0, 0, 0}, .size = {1.2e-3, 1.2e-3, 1.0}, .periodic = {true, true, false}};
+  o.load_tolerance = load_tolerance;
+  return {o, cloud(count), {floor_at(0, 0.3)}, ranks};
+}
+
+using Named = std::tuple<std::int64_t, std::int64_t, Image, Vec3, Vec3>;
+
+/// Springs of all contacts of this rank by the ids of their beads.
+std::vector<Named> histories(const Dem& dem) {
+  std::vector<Named> all;
+  const auto& p = dem.particles();
+  for (const auto& c : dem.contacts().pairs()) {
+    const auto id = [&](std::int32_t k) { return p.properties[static_cast<std::size_t>(k)].id; };
+    all.emplace_back(id(c.i), id(c.j), c.image, c.history.spring, c.history.angle);
+  }
+  std::sort(all.begin(), all.end(), [](const Named& a, const Named& b) {
+    return std::tie(std::get<0>(a), std::get<1>(a), std::get<2>(a)) <
+           std::tie(std::get<0>(b), std::get<1>(b), std::get<2>(b));
+  });
+  return all;
+}
+
+template <class T>
+bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
+bool same(const Named& a, const Named& b) { return a == b; }
+
+/// Number of differences between a run on all ranks and one alone.
+int compare(const Dem& shared, const Dem& alone, const Ranks& ranks) {
+  int wrong = 0;
+  const auto expect = [&](bool ok, const char* what) {
+    if (ok) return;
+    ++wrong;
+    std::printf("rank %d: %s differ\n", ranks.rank(), what);
+  };
+  const auto s = shared.snapshot();
+  const auto t = alone.snapshot();
+  if (ranks.is_first()) {
+    expect(same_bits(s.x, t.x), "positions");
+    expect(same_bits(s.v, t.v), "velocities");
+    expect(same_bits(s.w, t.w), "spins");
+    expect(same_bits(s.force, t.force), "forces");
+    expect(same_bits(s.torque, t.torque), "torques");
+  }
+  expect(same_bits(s.wall_force, t.wall_force) || ranks.size() > 1, "wall forces");
+  expect(s.kinetic_energy == t.kinetic_energy, "kinetic energies");
+  expect(s.elastic_energy == t.elastic_energy, "elastic energies");
+  expect(s.mean_overlap == t.mean_overlap, "mean overlaps");
+  expect(s.coordination_number == t.coordination_number, "coordination numbers");
+  const auto all = histories(alone);
+  const auto mine = histories(shared);
+  expect(std::ranges::all_of(mine,
+                             [&](const Named& c) {
+                               return std::ranges::any_of(
+                                   all, [&](const Named& d) { return same(c, d); });
+                             }),
+         "springs");
+  return wrong;
+}
+
+int check(int count, std::int64_t steps, double load_tolerance) {
+  const auto ranks = Ranks::all();
+  auto shared = bed(count, load_tolerance, ranks);
+  auto alone = bed(count, load_tolerance, Ranks::alone());
+  for (int look = 0; look < 4; ++look) {
+    shared.run(steps / 4);
+    alone.run(steps / 4);
+  }
+  std::vector<std::int64_t> wrong = {compare(shared, alone, ranks)};
+  ranks.sum(wrong);
+  if (ranks.is_first()) {
+    std::printf(
+        "%d ranks, %d beads, %lld steps, %lld renewals, %lld repartitions: %lld differences\n",
+        ranks.size(), count, static_cast<long long>(shared.steps()),
+        static_cast<long long>(shared.renewals()), static_cast<long long>(shared.repartitions()),
+        static_cast<long long>(wrong[0]));
+  }
+  return wrong[0] == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace packbed::dem
+
+// ranks_test [BEADS STEPS]
+int main(int argc, char** argv) {
+  const packbed::MpiSession session;
+  const int count = argc > 1 ? std::atoi(argv[1]) : 700;
+  const long steps = argc > 2 ? std::atol(argv[2]) : 4000;
+  return packbed::dem::check(count, steps, 1.2) | packbed::dem::check(count, steps, 1e9);
+}
