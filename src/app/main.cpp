@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <functional>
+#include <thread>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "app/commands.hpp"
 #include "core/error.hpp"
+#include "core/ranks.hpp"
 #include "core/text.hpp"
 #include "core/version.hpp"
 
@@ -25,6 +28,10 @@ void add_run(CLI::App& app, RunCommand& options, Action& action) {
   command->add_option("CASE", options.file, "Case file (TOML)")->required();
   command->add_option("-o,--output", options.directory,
                       "Folder of the results; by default as the case says, runs/<case>");
+  command
+      ->add_option("-n,--ranks", options.ranks,
+                   "Processes to share the run; by default as many cores as it can use")
+      ->check(CLI::Range(1, 4096));
   command->add_flag("--overwrite", options.overwrite, "Replace results of an earlier run");
   add_json(*command, options.json);
   command->callback([&] { action = [&] { return run(options); }; });
@@ -53,8 +60,14 @@ void add_units(CLI::App& app, UnitsCommand& options, Action& action) {
   command->callback([&] { action = [&] { return units(options); }; });
 }
 
+// On several ranks one that fails ends them all. Mostly all fail alike; the first one speaks, and
+// the others only if it has nothing to say.
 int report(const std::string& message, ExitCode code) {
-  fmt::print(stderr, "packbed: {}\n", message);
+  const auto ranks = Ranks::all();
+  if (!ranks.is_first()) std::this_thread::sleep_for(std::chrono::seconds(1));
+  fmt::print(stderr, "packbed: {}{}\n",
+             ranks.is_first() ? "" : fmt::format("rank {}: ", ranks.rank()), message);
+  if (ranks.size() > 1) ranks.abort(static_cast<int>(code));
   return static_cast<int>(code);
 }
 
@@ -73,6 +86,7 @@ void check_command(const CLI::App& app, const std::string& word) {
 }
 
 int dispatch(int argc, char** argv) {
+  const MpiSession session;
   CLI::App app("packbed simulates packed chromatography columns bead by bead.");
   app.set_version_flag("--version", fmt::format("packbed {}", version));
   app.require_subcommand(1);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <numbers>
+#include <optional>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -56,12 +57,16 @@ class Outputs {
         beads_csv_(c.output.beads_csv),
         steps_(steps),
         walls_(std::move(walls)),
-        series_(folder / "series.csv", columns(walls_)) {
+        beads_(setup::make_beads(c)) {
+    if (!Ranks::all().is_first()) return;
+    series_.emplace(folder / "series.csv", columns(walls_));
     if (beads_csv_) std::filesystem::create_directories(folder / "frames");
+    std::ranges::sort(beads_, {}, [](const auto& bead) { return bead.properties.id; });
   }
 
   void write(const dem::Dem& dem, std::size_t stage) {
     const auto s = dem.snapshot();
+    if (!series_) return;  // the first rank writes
     std::vector<io::Cell> row = {s.time,
                                  dem.steps(),
                                  static_cast<std::int64_t>(stage),
@@ -72,12 +77,12 @@ class Outputs {
                                  s.elastic_energy,
                                  ratio(s.kinetic_energy, s.elastic_energy),
                                  ratio(s.mean_unbalanced_force, s.mean_contact_force),
-                                 static_cast<std::int64_t>(dem.particles().size())};
+                                 dem.bead_count()};
     for (const auto& force : s.wall_force) {
       for (const double component : as_array(force)) row.emplace_back(component);
     }
-    series_.row(row);
-    if (beads_csv_) write_beads(dem, s);
+    series_->row(row);
+    if (beads_csv_) write_beads(s);
     summary.kinetic_to_elastic = ratio(s.kinetic_energy, s.elastic_energy);
     summary.unbalanced_force = ratio(s.mean_unbalanced_force, s.mean_contact_force);
     summary.max_overlap_ratio = std::max(summary.max_overlap_ratio, s.max_overlap_ratio);
@@ -106,13 +111,10 @@ class Outputs {
     return names;
   }
 
-  void write_beads(const dem::Dem& dem, const dem::Snapshot& s) {
-    std::vector<const dem::BeadProperties*> by_id;
-    for (const auto& p : dem.particles().properties) by_id.push_back(&p);
-    std::ranges::sort(by_id, {}, [](const auto* p) { return p->id; });
+  void write_beads(const dem::Snapshot& s) {
     std::vector<io::BeadRow> rows;
-    for (std::size_t i = 0; i < by_id.size(); ++i) {
-      const auto& p = *by_id[i];
+    for (std::size_t i = 0; i < beads_.size(); ++i) {
+      const auto& p = beads_[i].properties;
       rows.push_back({.id = p.id,
                       .x = as_array(s.x[i]),
                       .v = as_array(s.v[i]),
@@ -135,8 +137,8 @@ class Outputs {
     const double spent = seconds_since(start_);
     if (!terminal || (spent - shown_ < 0.2 && done < 1.0)) return;
     shown_ = spent;
-    const double rate = static_cast<double>(dem.steps()) *
-                        static_cast<double>(dem.particles().size()) / std::max(spent, 1e-9);
+    const double rate = static_cast<double>(dem.steps()) * static_cast<double>(dem.bead_count()) /
+                        std::max(spent, 1e-9);
     fmt::print(
         stderr, "\rrun: {:5.1f} %  time {:.4g} s  {:.3g} million particle-steps/s  {:.0f} s left ",
         100.0 * done, dem.time(), rate * 1e-6, done > 0.0 ? spent * (1.0 - done) / done : 0.0);
@@ -147,7 +149,8 @@ class Outputs {
   bool beads_csv_;
   std::int64_t steps_;
   std::vector<std::string> walls_;
-  io::SeriesWriter series_;
+  std::vector<dem::BeadStart> beads_;  ///< in the order of ids
+  std::optional<io::SeriesWriter> series_;
   std::int64_t frame_ = 0;
   double shown_ = -1.0;
   Clock::time_point start_ = Clock::now();
@@ -184,7 +187,7 @@ RunSummary simulate(const setup::Case& c, const std::filesystem::path& folder) {
   std::int64_t total = 0;
   for (const auto& plan : plans) total += plan.steps;
 
-  auto dem = setup::make_dem(c, choice.step);
+  auto dem = setup::make_dem(c, choice.step, Ranks::all());
   std::vector<std::string> walls;
   for (const auto& wall : dem.walls()) walls.push_back(wall.name);
   Outputs outputs(c, folder, total, walls);
@@ -197,6 +200,7 @@ RunSummary simulate(const setup::Case& c, const std::filesystem::path& folder) {
   summary.steps = dem.steps();
   summary.renewals = dem.renewals();
   summary.step = plans.empty() ? choice.step : plans.back().step;
+  summary.inertia_scale = c.numerics.inertia_scale.value_or(1.0);
   summary.wall_time = seconds_since(start);
   return summary;
 }

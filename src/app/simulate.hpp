@@ -16,7 +16,8 @@ struct RunSummary {
   double simulated_time = 0.0;  ///< [s]
   std::int64_t steps = 0;
   std::int64_t renewals = 0;
-  double step = 0.0;  ///< of the beads [s]
+  double step = 0.0;           ///< of the beads [s]
+  double inertia_scale = 1.0;  ///< "auto" is 1 here: beads of a step "run" move freely
   double kinetic_to_elastic = 0.0;
   double unbalanced_force = 0.0;  ///< mean unbalanced / mean contact force
   double max_overlap_ratio = 0.0;

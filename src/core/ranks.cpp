@@ -42,7 +42,7 @@ MpiSession::~MpiSession() {
   if (started_) MPI_Finalize();
 }
 
-bool MpiSession::is_parallel() { return Ranks::all().size() > 1; }
+bool MpiSession::is_started() { return mpi_runs(); }
 
 Ranks Ranks::all() {
   if (!mpi_runs()) return alone();
@@ -65,6 +65,11 @@ void Ranks::sum(std::span<std::int64_t> values) const {
   if (size_ == 1) return;
   MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_INT64_T, MPI_SUM,
                 MPI_COMM_WORLD);
+}
+
+void Ranks::abort(int code) const {
+  if (size_ > 1) MPI_Abort(MPI_COMM_WORLD, code);
+  std::exit(code);
 }
 
 std::vector<std::vector<std::byte>> Ranks::exchange_bytes(

@@ -24,8 +24,8 @@ class MpiSession {
   MpiSession(MpiSession&&) = delete;
   MpiSession& operator=(MpiSession&&) = delete;
 
-  /// Whether there is more than this process.
-  [[nodiscard]] static bool is_parallel();
+  /// Whether the program was started by mpiexec, even with one rank.
+  [[nodiscard]] static bool is_started();
 
  private:
   bool started_ = false;
@@ -47,6 +47,9 @@ class Ranks {
   [[nodiscard]] double max(double value) const;
   /// Sums of integers, element by element: the same in any order.
   void sum(std::span<std::int64_t> values) const;
+
+  /// Ends all ranks at once with this exit code.
+  [[noreturn]] void abort(int code) const;
 
   /// Sends to_each[r] to rank r and returns what each rank sent here, by rank.
   template <class T>

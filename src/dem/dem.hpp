@@ -101,6 +101,10 @@ class Dem {
   void fill_coefficients(std::vector<PairContact>& pairs) const;
   void fill_coefficients(const Wall& wall, WallContacts& contacts) const;
   void add_forces(double dt);
+  void add_forces_here(Particles& p,
+                       ContactList& contacts,
+                       std::vector<WallContacts>& near,
+                       std::vector<Vec3>& wall_force) const;
   void integrate(double kick, double drift);
   void move_walls(double drift);
   [[nodiscard]] double overlap(const PairContact& p) const;

@@ -48,6 +48,34 @@ double mean(const std::vector<double>& terms, const Ranks& ranks) {
 
 }  // namespace
 
+// Forces of walls and pairs on the beads of a copy, in the order of a step; the sums on each wall are
+// those of all ranks.
+void Dem::add_forces_here(Particles& p,
+                          ContactList& contacts,
+                          std::vector<WallContacts>& near,
+                          std::vector<Vec3>& wall_force) const {
+  std::vector<Load> so_far(p.size());
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    for (std::size_t i = 0; i < p.size(); ++i) p.load[i] = {};
+    add_wall_forces(options_.model, walls_[w], near[w], p, spring_step());
+    std::array<std::vector<double>, 3> terms;
+    for (const auto& c : near[w]) {
+      const auto i = static_cast<std::size_t>(c.bead);
+      const Vec3 force = -p.load[i].force;
+      terms[0].push_back(force.x);
+      terms[1].push_back(force.y);
+      terms[2].push_back(force.z);
+      so_far[i].force += p.load[i].force;
+      so_far[i].torque += p.load[i].torque;
+    }
+    wall_force.push_back({order_independent_sum(terms[0], ranks_),
+                          order_independent_sum(terms[1], ranks_),
+                          order_independent_sum(terms[2], ranks_)});
+  }
+  std::ranges::copy(so_far, p.load.begin());
+  add_contact_forces(options_.model, contacts, p, spring_step());
+}
+
 // The springs of a copy are moved on to the present time, as the next step would do, so that
 // forces are those at the present positions; velocities are taken half a step further.
 Snapshot Dem::snapshot() const {
@@ -56,14 +84,7 @@ Snapshot Dem::snapshot() const {
   auto wall_contacts = wall_contacts_;
   Snapshot s{};
   s.time = time();
-  for (std::size_t i = 0; i < p.size(); ++i) p.load[i] = {};
-  for (std::size_t w = 0; w < walls_.size(); ++w) {
-    const Vec3 here =
-        add_wall_forces(options_.model, walls_[w], wall_contacts[w], p, spring_step());
-    const auto sum = [&](double term) { return order_independent_sum({&term, 1}, ranks_); };
-    s.wall_force.push_back({sum(here.x), sum(here.y), sum(here.z)});
-  }
-  add_contact_forces(options_.model, contacts, p, spring_step());
+  add_forces_here(p, contacts, wall_contacts, s.wall_force);
 
   std::vector<Row> rows;
   std::vector<double> kinetic;

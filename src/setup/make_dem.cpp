@@ -161,13 +161,13 @@ dem::StepChoice step_of(const Case& c) {
   return choice;
 }
 
-dem::Dem make_dem(const Case& c, double step) {
+dem::Dem make_dem(const Case& c, double step, const Ranks& ranks) {
   dem::DemOptions options;
   options.domain = domain_of(c.column.shape);
   options.model = contact_model(c);
   options.step = step;
   options.inertia_scale = c.numerics.inertia_scale.value_or(1.0);
-  return {options, make_beads(c), make_walls(c)};
+  return {options, make_beads(c), make_walls(c), ranks};
 }
 
 }  // namespace packbed::setup

@@ -29,6 +29,6 @@ std::vector<dem::BeadStart> make_beads(const Case& c);
 dem::StepChoice step_of(const Case& c);
 
 /// Beads, walls and laws of a case with a bead file.
-dem::Dem make_dem(const Case& c, double step);
+dem::Dem make_dem(const Case& c, double step, const Ranks& ranks);
 
 }  // namespace packbed::setup

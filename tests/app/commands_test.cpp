@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The program as a user calls it.
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -81,6 +83,22 @@ TEST(Run, CollidesTwoBeadsOfAFile) {
   const auto summary = nlohmann::json::parse(read_text_file(out + "/summary.json"));
   EXPECT_EQ(summary["bead_steps"], 4000);
   EXPECT_EQ(summary["steps_carried_out"], 1);
+}
+
+TEST(Run, WritesTheSameOnSeveralRanks) {
+  const test::TemporaryFolder folder;
+  const auto out = folder.path().string();
+  const std::string arguments = "run cases/01_two_beads_collide/case.toml -o " + out;
+  ASSERT_EQ(run_packbed(arguments + "/one -n 1").code, 0);
+  const auto two = run_packbed(arguments + "/two -n 2");
+  ASSERT_EQ(two.code, 0) << two.err;
+
+  for (const auto* file : {"/series.csv", "/frames/beads_000010.csv"}) {
+    EXPECT_EQ(read_text_file(out + "/one" + file), read_text_file(out + "/two" + file)) << file;
+  }
+  const auto again = run_packbed(arguments + "/two -n 2");
+  EXPECT_EQ(again.code, 1);
+  EXPECT_EQ(std::ranges::count(again.err, '\n'), 1) << again.err;
 }
 
 TEST(Run, RefusesAStepThatDoesNotResolveContacts) {

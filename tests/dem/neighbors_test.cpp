@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -167,6 +168,33 @@ TEST(ContactList, GivesItsPairsBack) {
   for (std::size_t k = 0; k < back.size(); ++k) {
     EXPECT_EQ(std::tuple(back[k].i, back[k].j, back[k].image, back[k].history.angle.x),
               std::tuple(pairs[k].i, pairs[k].j, pairs[k].image, static_cast<double>(k)));
+  }
+}
+
+// Where blocks begin must not change a bit: 0 to 31 dummy pairs in front of the list.
+TEST(ContactForces, DoNotDependOnWhereBlocksBegin) {
+  const auto domain = box(true, true, true);
+  auto start = make_particles(random_beads(300, 1.0), 1.0);
+  auto pairs = find_pairs(start, domain, 1e-6);
+  const Hooke law = hooke(0.5, false);
+  for (auto& p : pairs) {
+    p.coefficients = {.a = 30.0, .b = 1e-5, .c = 0.0};
+    p.history.spring = {1e-9, 2e-9, -1e-9};
+  }
+  const ContactModel model{.contact = law, .rolling = ElasticPlastic{0.2}, .friction = 0.3};
+  std::vector<Load> expected;
+  for (int front = 0; front < lanes; ++front) {
+    PairContact dummy;
+    dummy.i = 300;
+    dummy.j = 301;
+    auto shifted = pairs;
+    shifted.insert(shifted.begin(), static_cast<std::size_t>(front), dummy);
+    ContactList list(shifted, domain, 300);
+    auto particles = start;
+    add_contact_forces(model, list, particles, 1e-8);
+    std::vector<Load> loads(particles.load.begin(), particles.load.begin() + 300);
+    if (front == 0) expected = loads;
+    EXPECT_EQ(std::memcmp(loads.data(), expected.data(), loads.size() * sizeof(Load)), 0) << front;
   }
 }
 
