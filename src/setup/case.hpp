@@ -49,8 +49,11 @@ struct ResinOptions {
   ContactLawName contact = ContactLawName::hooke;
   std::optional<double> characteristic_velocity;  ///< of the Hooke law, thesis eq. 4.21 [m/s]
   RollingLawName rolling = RollingLawName::epsd;
-  bool tension = false;       ///< whether the damped normal force may pull
-  double coarse_grain = 1.0;  ///< diameter of a grain / diameter of a bead
+  bool viscous = false;          ///< restitution falls with the impact Stokes number
+  double restitution_max = 0.0;  ///< of viscous restitution
+  double critical_stokes = 0.0;  ///< of viscous restitution
+  bool tension = false;          ///< whether the damped normal force may pull
+  double coarse_grain = 1.0;     ///< diameter of a grain / diameter of a bead
   bool operator==(const ResinOptions&) const = default;
 };
 
@@ -137,7 +140,8 @@ struct NumericsOptions {
   std::optional<double> inertia_scale;  ///< none: chosen by the program
   std::uint64_t seed = 0;
   bool gravity = true;
-  bool force_step = false;  ///< run with a step that is known to be too long
+  std::optional<double> background_damping;  ///< time in which a free bead slows down [s]
+  bool force_step = false;                   ///< run with a step that is known to be too long
   bool operator==(const NumericsOptions&) const = default;
 };
 

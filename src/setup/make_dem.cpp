@@ -113,6 +113,13 @@ dem::ContactModel contact_model(const Case& c) {
                                .restitution = r.restitution,
                                .tension = r.tension};
   }
+  if (r.viscous) {
+    model.contact = dem::ViscousHooke{.characteristic_velocity = *r.characteristic_velocity,
+                                      .restitution_max = r.restitution_max,
+                                      .critical_stokes = r.critical_stokes,
+                                      .viscosity = c.liquid->viscosity,
+                                      .tension = r.tension};
+  }
   if (r.rolling == RollingLawName::cdt) model.rolling = dem::ConstantTorque{r.rolling_friction};
   if (r.rolling == RollingLawName::epsd) model.rolling = dem::ElasticPlastic{r.rolling_friction};
   return model;
@@ -167,6 +174,8 @@ dem::Dem make_dem(const Case& c, double step, const Ranks& ranks) {
   options.model = contact_model(c);
   options.step = step;
   options.inertia_scale = c.numerics.inertia_scale.value_or(1.0);
+  if (c.numerics.background_damping)
+    options.background_damping = 1.0 / *c.numerics.background_damping;
   return {options, make_beads(c), make_walls(c), ranks};
 }
 

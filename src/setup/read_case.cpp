@@ -25,7 +25,7 @@ Case read_tables(const toml::table& table, Reading& reading) {
   c.column = read_column(top.table("column"));
   c.beads = read_beads(top.table("beads"), c.column);
   c.resin = read_resin(top.table("resin"), reading.units, builtin_library(reading.units), c.beads,
-                       c.column);
+                       c.column, top.has("liquid"));
   if (top.has("liquid")) c.liquid = read_liquid(top.table("liquid"));
   c.protocol = read_protocol(top.tables("protocol"), c.column, c.beads, c.liquid.has_value());
   c.numerics = read_numerics(top.table("numerics"));

@@ -10,6 +10,8 @@ NumericsOptions read_numerics(Section section) {
   numerics.inertia_scale = section.quantity_or_word("inertia_scale", Dimension::fraction,
                                                     bounds::positive, "auto", Fallback{"auto"});
   numerics.seed = static_cast<std::uint64_t>(section.integer("seed", 0, Fallback{"1"}));
+  numerics.background_damping = section.quantity_or_word(
+      "background_damping", Dimension::time, bounds::positive, "none", Fallback{"none"});
   numerics.gravity = section.boolean("gravity", true);
   numerics.force_step = section.boolean("force_step", false);
   section.finish();

@@ -111,6 +111,20 @@ void read_contact(Section& section,
                              "poisson_ratio", !beads.table.poisson_ratio.empty());
   options.restitution = reader.needed("restitution", Dimension::fraction, bounds::restitution,
                                       "restitution", Fallback{"0.5", "default: thesis table B.2"});
+  options.viscous = section.boolean("viscous", false);
+  if (options.viscous) {
+    const Fallback e_max{"0.9", "default: thesis table 8.4"};
+    const Fallback stokes{"0.3", "default: thesis table 8.4"};
+    if (!hooke) section.fail("viscous", "goes with contact = \"hooke\" only");
+    options.restitution_max = reader.needed("restitution_max", Dimension::fraction,
+                                            bounds::restitution, "restitution_max", e_max);
+    options.critical_stokes = reader.needed("critical_stokes", Dimension::fraction,
+                                            bounds::positive, "critical_stokes", stokes);
+  } else {
+    for (const auto* key : {"restitution_max", "critical_stokes"}) {
+      section.refuse(key, "belongs to viscous = true");
+    }
+  }
   options.tension = section.boolean("tension", false);
   options.friction = reader.needed("friction", Dimension::fraction, bounds::not_negative,
                                    "friction", thesis_friction);
@@ -204,11 +218,13 @@ ResinOptions read_resin(Section section,
                         const UnitSystem& units,
                         resin::Library library,
                         BeadOptions& beads,
-                        const ColumnOptions& column) {
+                        const ColumnOptions& column,
+                        bool has_liquid) {
   ResinOptions options;
   section.mention({"name", "library", "density", "coarse_grain", "contact", "youngs_modulus",
-                   "characteristic_velocity", "poisson_ratio", "restitution", "tension", "friction",
-                   "wall_friction", "rolling", "rolling_friction", "sizes"});
+                   "characteristic_velocity", "poisson_ratio", "restitution", "viscous",
+                   "restitution_max", "critical_stokes", "tension", "friction", "wall_friction",
+                   "rolling", "rolling_friction", "sizes"});
   const auto name = section.optional_word("name");
   if (const auto own = section.optional_file("library")) library.add(read_library(*own, units));
   const resin::Resin* resin = name ? &find_resin(section, library, *name) : nullptr;
@@ -234,6 +250,7 @@ ResinOptions read_resin(Section section,
               "has grains (coarse_grain times the largest bead)");
     check_count(section, column, beads, options);
   }
+  if (options.viscous && !has_liquid) section.fail("viscous", "needs a [liquid] section");
   section.finish();
   return options;
 }

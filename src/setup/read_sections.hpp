@@ -19,7 +19,8 @@ ResinOptions read_resin(Section section,
                         const UnitSystem& units,
                         resin::Library library,
                         BeadOptions& beads,
-                        const ColumnOptions& column);
+                        const ColumnOptions& column,
+                        bool has_liquid);
 LiquidOptions read_liquid(Section section);
 /// Steps with a flow need `has_liquid`. The number of beads comes from [beads] or from the bed
 /// height of the first settling, never from both.

@@ -138,6 +138,33 @@ TEST(Dem, CubicLatticeHasItsUniaxialModulus) {
   for (const auto& f : s.force) EXPECT_LT(norm(f), 1e-15);
 }
 
+// P1: ordered lattices have their coordination number (simple cubic 6, face-centered 12).
+double coordination(const std::vector<Vec3>& basis, Vec3 cell) {
+  std::vector<BeadStart> beads;
+  for (int k = 0; k < 27; ++k) {
+    const Vec3 corner{(k % 3) * cell.x, (k / 3 % 3) * cell.y, (k / 9) * cell.z};
+    for (const auto& at : basis) {
+      beads.push_back(bead(static_cast<std::int64_t>(beads.size()), corner + at));
+    }
+  }
+  auto o = options(hooke(0.5), 1e-8);
+  o.domain = {.low = {0, 0, 0},
+              .size = {3 * cell.x, 3 * cell.y, 3 * cell.z},
+              .periodic = {true, true, true}};
+  return Dem(o, beads, {}).snapshot().coordination_number;
+}
+
+TEST(Dem, LatticesHaveTheirCoordinationNumber) {
+  const double d = 0.9999 * diameter_s;
+  EXPECT_EQ(coordination({{0, 0, 0}}, {d, d, d}), 6.0);
+  const double a = std::sqrt(2.0) * d;
+  EXPECT_EQ(
+      coordination({{0, 0, 0}, {a / 2, a / 2, 0}, {a / 2, 0, a / 2}, {0, a / 2, a / 2}}, {a, a, a}),
+      12.0);
+  const double h = 0.5 * std::sqrt(3.0) * d;  // orthorhombic: columns of beads in triangles, 8
+  EXPECT_EQ(coordination({{0, 0, 0}, {d / 2, h, 0}}, {d, 2 * h, d}), 8.0);
+}
+
 // I7: a lattice moved by any vector has the same forces.
 TEST(Dem, PeriodicBoxHasNoPlaceOfItsOwn) {
   const double d = diameter_s;

@@ -71,7 +71,8 @@ std::string sizes() {
 std::string resin() {
   const bool hooke = *rc::gen::arbitrary<bool>();
   return "[resin]\nname = \"SEP\"\n" +
-         (hooke ? maybe("characteristic_velocity", quantity(1, 20, {"cm/s"}))
+         (hooke ? maybe("characteristic_velocity", quantity(1, 20, {"cm/s"})) +
+                      maybe("viscous", "true")
                 : std::string("contact = \"hertz\"\n")) +
          maybe("density", quantity(1.05, 1.3, {"g/cm3", "g/mL", "kg/L"})) +
          maybe("youngs_modulus", quantity(4, 60, {"MPa", "bar"})) +
@@ -124,7 +125,8 @@ std::string random_case() {
   for (int i = 0; i < count; ++i) text += step("protocol", 0);
   text += "[numerics]\n" + maybe("step", *element<std::string>("\"auto\"", "\"1.5 us\"")) +
           maybe("inertia_scale", *element<std::string>("\"auto\"", "500", "12.5")) +
-          maybe("seed", "7") + maybe("gravity", "false") + maybe("force_step", "true");
+          maybe("seed", "7") + maybe("gravity", "false") + maybe("force_step", "true") +
+          maybe("background_damping", "\"20 ms\"");
   return text + "[output]\n" + maybe("interval", quantity(1, 50, {"ms"})) +
          maybe("beads_csv", "true");
 }

@@ -67,6 +67,18 @@ TEST_F(MakeDem, TakesTheLawsOfTheResin) {
   EXPECT_EQ(model.friction, 0.1);
 }
 
+TEST_F(MakeDem, ViscousRestitutionTakesTheLiquidsViscosity) {
+  const auto c = read_case(
+      folder_.file("v.toml", cylinder_ + "[resin]\nname = \"SEP\"\nviscous = true\n[liquid]\n"
+                                         "density = \"1000 kg/m3\"\nviscosity = \"2 cP\"\n"),
+      units_);
+  const auto model = contact_model(c);
+  const auto& law = std::get<dem::ViscousHooke>(model.contact);
+  EXPECT_EQ(law.viscosity, 2e-3);
+  EXPECT_EQ(law.restitution_max, 0.9);
+  EXPECT_EQ(law.critical_stokes, 0.3);
+}
+
 // The plate contact of bead S lasts 6.280e-6 s undamped, pi sqrt(m / 98.011745 N/m); eight contacts
 // of k = 37.209127 N/m, gamma = 3.678538e-5 kg/s on 0.4 m are stable up to 0.7672 us.
 TEST_F(MakeDem, RecommendsAStepForBedsOfTheseBeads) {

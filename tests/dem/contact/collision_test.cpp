@@ -114,6 +114,30 @@ TEST(Hertz, ReachesTheOverlapOfElasticTheory) {
   }
 }
 
+// C3, second half: a sphere of 0.1 m radius on a rigid plate at 0.2 m/s.
+TEST(Hertz, ReachesTheForceOfElasticTheoryOnAPlate) {
+  const struct {
+    Material m;
+    double density, overlap, force;
+  } cases[] = {{{70e9, 0.30}, 2699, 49.7172e-6, 11369.9},
+               {{40e9, 0.35}, 1800, 52.1233e-6, 7232.68}};
+  const Material rigid{.youngs_modulus = 1e30, .poisson_ratio = 0.3};
+  for (const auto& c : cases) {
+    Dem dem(options(HertzMindlin{.restitution = 1.0}, 3.5e-6),
+            {bead(0, {0, 0, 0.1}, {0, 0, -0.2}, 0.2, c.density, c.m)}, {floor_at(0, 0, rigid)});
+    double overlap = 0.0;
+    double force = 0.0;
+    for (int n = 0; n < 230; ++n) {
+      dem.run(1);
+      const auto s = dem.snapshot();
+      overlap = std::max(overlap, 0.2 * s.max_overlap_ratio);
+      force = std::max(force, s.force[0].z);
+    }
+    EXPECT_NEAR(overlap / c.overlap, 1.0, 1e-4);
+    EXPECT_NEAR(force / c.force, 1.0, 2e-4);  // 1.5 times the error of the overlap
+  }
+}
+
 // C4, C6: restitution independent of speed over four decades.
 TEST(Hertz, RestitutionDoesNotDependOnSpeed) {
   for (const double e : {0.2, 0.5, 0.8}) {
