@@ -19,7 +19,9 @@ Vec3 get(const double (&rows)[3][lanes], std::size_t lane) {
 ContactList::ContactList(const std::vector<PairContact>& pairs,
                          const Domain& domain,
                          std::int32_t dummy)
-    : blocks((pairs.size() + lanes - 1) / lanes), size_(pairs.size()) {
+    : blocks((pairs.size() + lanes - 1) / lanes),
+      size_(pairs.size()),
+      box_(to_vec3(domain.size)) {
   PairContact none;
   none.i = dummy;
   none.j = dummy + 1;
@@ -29,11 +31,10 @@ ContactList::ContactList(const std::vector<PairContact>& pairs,
     const auto lane = k % lanes;
     block.i[lane] = p.i;
     block.j[lane] = p.j;
-    block.image[lane] = p.image;
+    for (std::size_t axis = 0; axis < 3; ++axis) block.image[axis][lane] = p.image[axis];
     put(block.spring, lane, p.history.spring);
     put(block.angle, lane, p.history.angle);
     put(block.coefficient, lane, {p.coefficients.a, p.coefficients.b, p.coefficients.c});
-    put(block.shift, lane, offset(domain, p.image));
   }
 }
 
@@ -43,7 +44,7 @@ PairContact ContactList::pair(std::size_t k) const {
   const Vec3 c = get(block.coefficient, lane);
   return {.i = block.i[lane],
           .j = block.j[lane],
-          .image = block.image[lane],
+          .image = {block.image[0][lane], block.image[1][lane], block.image[2][lane]},
           .coefficients = {c.x, c.y, c.z},
           .history = {get(block.spring, lane), get(block.angle, lane)}};
 }

@@ -31,10 +31,9 @@ struct alignas(64) ContactBlock {
   double spring[3][lanes];
   double angle[3][lanes];
   double coefficient[3][lanes];
-  double shift[3][lanes];  ///< offset of j [m]
   std::int32_t i[lanes];
   std::int32_t j[lanes];
-  Image image[lanes];
+  std::int8_t image[3][lanes];  ///< of j, one row per axis
 };
 
 /// The blocks of a list of pairs. Lanes left over hold the two dummies.
@@ -45,6 +44,8 @@ class ContactList {
   ContactList(const std::vector<PairContact>& pairs, const Domain& domain, std::int32_t dummy);
 
   [[nodiscard]] std::size_t size() const { return size_; }
+  /// Lengths of the periodic box, by which images are shifted [m].
+  [[nodiscard]] const Vec3& box() const { return box_; }
   [[nodiscard]] PairContact pair(std::size_t k) const;
   [[nodiscard]] std::vector<PairContact> pairs() const;
 
@@ -52,6 +53,7 @@ class ContactList {
 
  private:
   std::size_t size_ = 0;
+  Vec3 box_;
 };
 
 }  // namespace packbed::dem
