@@ -144,12 +144,14 @@ inline void scatter(const ContactBlock& block, const Forces& forces, Particles& 
     rows(forces.force, force);
     rows(forces.torque_i, torque_i);
     rows(forces.torque_j, torque_j);
+    for (auto& torque : torque_j) torque = -torque;
 #pragma GCC unroll 8
     for (int k = 0; k < 8; ++k) {
-      const auto join = k < 4 ? lower_halves : upper_halves;
-      const int q = k % 4;
-      load[block.i[lane + k]] += join(force[q], torque_i[q]);
-      load[block.j[lane + k]] += join(-force[q], torque_j[q]);
+      const auto row = [k](const Eight(&a)[4], const Eight(&b)[4]) {
+        return k < 4 ? lower_halves(a[k], b[k]) : upper_halves(a[k - 4], b[k - 4]);
+      };
+      load[block.i[lane + k]] += row(force, torque_i);
+      load[block.j[lane + k]] -= row(force, torque_j);
     }
   }
 }
