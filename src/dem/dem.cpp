@@ -39,9 +39,6 @@ Dem::Dem(const DemOptions& options, const std::vector<BeadStart>& beads, std::ve
       cell_(std::max(largest_diameter(beads), 1e-12)) {
   constexpr double skin_of_diameter = 0.05;
   if (options_.skin <= 0.0) options_.skin = skin_of_diameter * cell_;
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
-    particles_.load[i].force.z = -particles_.properties[i].weight;
-  }
   renew();
   check_overlaps();
 }
@@ -53,44 +50,60 @@ void Dem::run(std::int64_t count) {
 void Dem::step_once() {
   const double dt = options_.step;
   renew_if_needed();
-  add_forces(dt);
-  integrate(0.5 * (last_step_ + dt), dt);
+  add_forces_of_walls(dt);
+  add_contact_forces_and_move(dt, 0.5 * (last_step_ + dt), dt);
   move_walls(dt);
   last_step_ = dt;
   time_ += dt;
   ++steps_;
 }
 
-void Dem::add_forces(double dt) {
+void Dem::add_forces_of_walls(double dt) {
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     add_wall_forces(options_.model, walls_[w], wall_contacts_[w], particles_, dt);
   }
-  add_contact_forces(options_.model, contacts_, particles_, dt);
+}
+
+// Contacts are sorted by i, and j > i: once all contacts of lower beads are done, a bead occurs in no
+// other, and is moved while it is still in the cache.
+void Dem::add_contact_forces_and_move(double dt, double kick, double drift) {
+  constexpr std::size_t chunk = 32;
+  const std::size_t blocks = contacts_.blocks.size();
+  std::size_t moved = 0;
+  Vec3 largest;
+  for (std::size_t first = 0; moved < particles_.size(); first += chunk) {
+    const std::size_t last = std::min(first + chunk, blocks);
+    add_contact_forces(options_.model, contacts_, first, last, particles_, dt);
+    const std::size_t done =
+        last < blocks ? static_cast<std::size_t>(contacts_.blocks[last].i[0]) : particles_.size();
+    const Vec3 far = move_beads(moved, done, kick, drift);
+    largest = {std::max(largest.x, far.x), std::max(largest.y, far.y), std::max(largest.z, far.z)};
+    moved = done;
+  }
+  moved_ = norm(largest);  // the norm of the largest components bounds the largest displacement
 }
 
 // kick: time over which the force acts on the velocity (half a step at the start); drift: the step.
-void Dem::integrate(double kick, double drift) {
+// Returns the largest displacement in each direction since the renewal.
+Vec3 Dem::move_beads(std::size_t first, std::size_t last, double kick, double drift) {
   const double damp = 0.5 * kick * options_.background_damping;
   const double keep = (1.0 - damp) / (1.0 + damp);
   const double push = kick / (1.0 + damp);
   Vec3 largest;
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
+  for (std::size_t i = first; i < last; ++i) {
     Motion& m = particles_.motion[i];
     Spin& s = particles_.spin[i];
     Load& load = particles_.load[i];
-    const bool free = m.inv_mass > 0.0;
-    m.v = (free ? keep : 1.0) * m.v + (push * m.inv_mass) * load.force;
-    s.w = (free ? keep : 1.0) * s.w + (push * m.inv_inertia) * load.torque;
+    const double kept = m.inv_mass > 0.0 ? keep : 1.0;
+    m.v = kept * m.v + (push * m.inv_mass) * load.force;
+    s.w = kept * s.w + (push * m.inv_inertia) * load.torque;
     m.x += drift * m.v;
-    load = {.force = {0.0, 0.0, -particles_.properties[i].weight},
-            .zero_1 = 0,
-            .torque = {},
-            .zero_2 = 0};
+    load = {.force = {0.0, 0.0, -load.weight}, .weight = load.weight, .torque = {}};
     const Vec3 d = m.x - particles_.reference[i];
     largest = {std::max(largest.x, std::abs(d.x)), std::max(largest.y, std::abs(d.y)),
                std::max(largest.z, std::abs(d.z))};
   }
-  moved_ = norm(largest);  // the norm of the largest components bounds the largest displacement
+  return largest;
 }
 
 void Dem::move_walls(double drift) {

@@ -73,8 +73,9 @@ class Dem {
   void renew_if_needed();
   void fill_coefficients(std::vector<PairContact>& pairs) const;
   void fill_coefficients(const Wall& wall, WallContacts& contacts) const;
-  void add_forces(double dt);
-  void integrate(double kick, double drift);
+  void add_forces_of_walls(double dt);
+  void add_contact_forces_and_move(double dt, double kick, double drift);
+  [[nodiscard]] Vec3 move_beads(std::size_t first, std::size_t last, double kick, double drift);
   void move_walls(double drift);
   [[nodiscard]] double overlap(const PairContact& p) const;
 

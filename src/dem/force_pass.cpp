@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dem/force_pass.hpp"
 
+#include <algorithm>
+
 #include "dem/lanes.hpp"
 
 namespace packbed::dem {
@@ -43,16 +45,32 @@ void evaluate(Law law,
   }
 }
 
+// Beads beyond the second-level cache are asked for ahead of time, and blocks of contacts further
+// ahead, since the places of the beads stand in them.
+constexpr std::size_t beads_in_cache = 10'000;
+constexpr std::size_t bead_lead = 1;
+constexpr std::size_t block_lead = 4;
+
 template <class Law, class Rolling>
 void add_forces(const Law& law,
                 const Rolling& rolling,
                 double mu,
                 double dt,
                 ContactList& contacts,
+                std::size_t first,
+                std::size_t last,
                 Particles& particles) {
   Relative relative;
   Forces forces;
-  for (auto& block : contacts.blocks) {
+  const std::size_t ahead =  // blocks up to here have others far enough behind them
+      particles.size() > beads_in_cache ? std::max(contacts.blocks.size(), block_lead) - block_lead
+                                        : 0;
+  for (std::size_t b = first; b < last; ++b) {
+    if (b < ahead) {
+      prefetch_block(contacts.blocks[b + block_lead]);
+      prefetch_beads(contacts.blocks[b + bead_lead], particles);
+    }
+    auto& block = contacts.blocks[b];
     gather(block, particles, contacts.box(), relative);
     evaluate(law, rolling, mu, dt, relative, block, forces);
     scatter(block, forces, particles);
@@ -85,11 +103,13 @@ Vec3 add_wall_forces(const Law& law,
 
 void add_contact_forces(const ContactModel& model,
                         ContactList& contacts,
+                        std::size_t first,
+                        std::size_t last,
                         Particles& particles,
                         double dt) {
   std::visit(
       [&](const auto& law, const auto& rolling) {
-        add_forces(law, rolling, model.friction, dt, contacts, particles);
+        add_forces(law, rolling, model.friction, dt, contacts, first, last, particles);
       },
       model.contact, model.rolling);
 }

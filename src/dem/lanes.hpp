@@ -10,6 +10,10 @@
 #include "dem/contact_list.hpp"
 #include "dem/particles.hpp"
 
+#ifdef __AVX512F__
+#include <immintrin.h>
+#endif
+
 namespace packbed::dem {
 
 /// Relative motion of the pairs of one block, one lane each. In the order of the records of beads.
@@ -58,6 +62,9 @@ inline void prefetch_block(const ContactBlock& block) {
 
 using Eight = double __attribute__((vector_size(64), may_alias));
 using Four = double __attribute__((vector_size(32), may_alias));
+
+/// {a, a}, loaded at once.
+inline Eight twice(const Four& a) { return _mm512_maskz_broadcast_f64x4(0xff, a); }
 
 // Steps of a transposition. "Part": 128 bits, two numbers.
 
@@ -122,7 +129,6 @@ inline void gather_records(const ContactBlock& block,
     for (int k = 0; k < 8; ++k) {
       const auto i = block.i[lane + k];
       const auto j = block.j[lane + k];
-      const auto twice = [](Four a) { return __builtin_shufflevector(a, a, 0, 1, 2, 3, 0, 1, 2, 3); };
       motions[k] = motion[i] - motion[j];
       spins[k] = twice(spin[i]) + sign * twice(spin[j]);
     }

@@ -35,7 +35,7 @@ Particles make_particles(const std::vector<BeadStart>& beads, double inertia_sca
                         .inv_mass = b.fixed ? 0.0 : 1.0 / mass,
                         .inv_inertia = b.fixed ? 0.0 : 1.0 / inertia});
     p.spin.push_back({.w = bead.w, .half_radius = 0.25 * b.diameter});
-    p.load.push_back({});
+    p.load.push_back({.force = {0.0, 0.0, -b.weight}, .weight = b.weight, .torque = {}});
     p.reference.push_back(bead.x);
     p.properties.push_back(b);
   }
