@@ -39,6 +39,7 @@ Dem::Dem(const DemOptions& options, const std::vector<BeadStart>& beads, std::ve
       cell_(std::max(largest_diameter(beads), 1e-12)) {
   constexpr double skin_of_diameter = 0.05;
   if (options_.skin <= 0.0) options_.skin = skin_of_diameter * cell_;
+  near_skin_ = options_.skin / 16.0;
   renew();
   check_overlaps();
 }
@@ -116,11 +117,64 @@ void Dem::move_walls(double drift) {
   walls_moved_ += drift * fastest;
 }
 
-// Two beads may each have moved by moved_, a bead and a wall by moved_ and walls_moved_. NaN renews
-// too, and is found there.
+// Two beads may each have moved by moved_, a bead and a wall by all that they moved since the
+// renewal. NaN renews too, and is found there.
 void Dem::renew_if_needed() {
-  const bool lists_hold = 2.0 * moved_ < options_.skin && moved_ + walls_moved_ < options_.skin;
-  if (!lists_hold) renew();
+  const bool walls_hold = far_moved_ + moved_ + walls_moved_ < options_.skin;
+  if (2.0 * moved_ < near_skin_ && walls_hold) return;
+  adapt_near_skin();
+  far_moved_ = far_displacement();
+  const bool far_list_holds = 2.0 * far_moved_ + near_skin_ < options_.skin &&
+                              far_moved_ + walls_moved_ < options_.skin;
+  if (far_list_holds) {
+    list_near_pairs();
+  } else {
+    renew();
+  }
+}
+
+// By counts of steps, never by time: a run must not depend on the machine.
+void Dem::adapt_near_skin() {
+  constexpr std::int64_t often = 50;
+  constexpr std::int64_t seldom = 1000;
+  const std::int64_t lasted = steps_ - near_listed_;
+  if (lasted < often) near_skin_ = std::min(2.0 * near_skin_, options_.skin);
+  if (lasted > seldom) near_skin_ = std::max(0.5 * near_skin_, options_.skin / 64.0);
+}
+
+double Dem::far_displacement() const {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    const Vec3 d = particles_.motion[i].x - far_reference_[i];
+    const double square = dot(d, d);
+    if (!(square <= largest)) largest = square;
+    if (std::isnan(largest)) break;
+  }
+  return std::sqrt(largest);
+}
+
+// Springs are kept; pairs left out do not touch and have none.
+void Dem::list_near_pairs() {
+  ContactList list(options_.domain, static_cast<std::int32_t>(particles_.size()));
+  list.blocks.reserve(contacts_.blocks.size() + contacts_.blocks.size() / 8 + 1);
+  std::size_t k = 0;
+  for (const auto& key : far_pairs_) {
+    if (-overlap(key) >= near_skin_) continue;
+    while (k < contacts_.size() && contacts_.key(k) < key) ++k;
+    PairContact p{key, {}, {}};
+    if (k < contacts_.size() && contacts_.key(k) == key) {
+      p = contacts_.pair(k);
+    } else {
+      p.coefficients = coefficients_of(key);
+    }
+    list.push_back(p);
+  }
+  contacts_ = std::move(list);
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    particles_.reference[i] = particles_.motion[i].x;
+  }
+  moved_ = 0.0;
+  near_listed_ = steps_;
 }
 
 void Dem::renew() {
@@ -139,37 +193,32 @@ void Dem::renew() {
     place[static_cast<std::size_t>(order[k])] = static_cast<std::int32_t>(k);
   }
   reorder(particles_, order);
-  auto pairs = find_pairs(particles_, options_.domain, options_.skin);
-  carry_over(pairs, contacts_.pairs(), place, wraps);
-  fill_coefficients(pairs);
-  contacts_ = ContactList(pairs, options_.domain, static_cast<std::int32_t>(particles_.size()));
+  far_pairs_ = find_pairs(particles_, options_.domain, options_.skin);
+  contacts_ = ContactList(carry_over(contacts_.pairs(), place, wraps), options_.domain,
+                          static_cast<std::int32_t>(particles_.size()));
+  list_near_pairs();
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     wall_contacts_[w] =
         find_wall_contacts(walls_[w], particles_, options_.skin, wall_contacts_[w], place);
     fill_coefficients(walls_[w], wall_contacts_[w]);
   }
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
-    particles_.reference[i] = particles_.motion[i].x;
-  }
-  moved_ = 0.0;
+  far_reference_.assign(particles_.reference.begin(), particles_.reference.end());
+  far_moved_ = 0.0;
   walls_moved_ = 0.0;
   ++renewals_;
 }
 
-void Dem::fill_coefficients(std::vector<PairContact>& pairs) const {
-  for (auto& p : pairs) {
-    if (p.coefficients.a >= 0.0) continue;
-    const auto& i = particles_.properties[static_cast<std::size_t>(p.i)];
-    const auto& j = particles_.properties[static_cast<std::size_t>(p.j)];
-    const double m_eff = effective(i.mass, j.mass);
-    const Pair pair{.i = i.material,
-                    .j = j.material,
-                    .r_eff = effective(0.5 * i.diameter, 0.5 * j.diameter),
-                    .m_eff = m_eff,
-                    .m_scaled = options_.inertia_scale * m_eff};
-    p.coefficients =
-        std::visit([&](const auto& law) { return law.coefficients(pair); }, options_.model.contact);
-  }
+Coefficients Dem::coefficients_of(const PairKey& p) const {
+  const auto& i = particles_.properties[static_cast<std::size_t>(p.i)];
+  const auto& j = particles_.properties[static_cast<std::size_t>(p.j)];
+  const double m_eff = effective(i.mass, j.mass);
+  const Pair pair{.i = i.material,
+                  .j = j.material,
+                  .r_eff = effective(0.5 * i.diameter, 0.5 * j.diameter),
+                  .m_eff = m_eff,
+                  .m_scaled = options_.inertia_scale * m_eff};
+  return std::visit([&](const auto& law) { return law.coefficients(pair); },
+                    options_.model.contact);
 }
 
 void Dem::fill_coefficients(const Wall& wall, WallContacts& contacts) const {
@@ -186,7 +235,7 @@ void Dem::fill_coefficients(const Wall& wall, WallContacts& contacts) const {
   }
 }
 
-double Dem::overlap(const PairContact& p) const {
+double Dem::overlap(const PairKey& p) const {
   const auto i = static_cast<std::size_t>(p.i);
   const auto j = static_cast<std::size_t>(p.j);
   const Vec3 d = particles_.motion[i].x - particles_.motion[j].x - offset(options_.domain, p.image);

@@ -71,13 +71,16 @@ class Dem {
   void step_once();
   void renew();
   void renew_if_needed();
-  void fill_coefficients(std::vector<PairContact>& pairs) const;
+  void list_near_pairs();
+  void adapt_near_skin();
+  [[nodiscard]] double far_displacement() const;
+  [[nodiscard]] Coefficients coefficients_of(const PairKey& p) const;
   void fill_coefficients(const Wall& wall, WallContacts& contacts) const;
   void add_forces_of_walls(double dt);
   void add_contact_forces_and_move(double dt, double kick, double drift);
   [[nodiscard]] Vec3 move_beads(std::size_t first, std::size_t last, double kick, double drift);
   void move_walls(double drift);
-  [[nodiscard]] double overlap(const PairContact& p) const;
+  [[nodiscard]] double overlap(const PairKey& p) const;
 
   DemOptions options_;
   Particles particles_;
@@ -85,8 +88,16 @@ class Dem {
   ContactList contacts_;
   std::vector<WallContacts> wall_contacts_;
   double cell_ = 0.0;         ///< width of the key grid [m]
-  double moved_ = 0.0;        ///< bound of the largest displacement since the last renewal [m]
-  double walls_moved_ = 0.0;  ///< of the fastest wall since then [m]
+
+  // Two lists, two skins. Pairs within options_.skin are found at renewals, which also bring the beads
+  // into a new order. Of these, pairs within near_skin_ are listed with their springs.
+  std::vector<PairKey> far_pairs_;
+  std::vector<Vec3> far_reference_;   ///< centers at the last renewal
+  double far_moved_ = 0.0;            ///< since the renewal, when near pairs were last listed [m]
+  double near_skin_ = 0.0;            ///< [m]
+  double moved_ = 0.0;                ///< bound of the largest displacement since then [m]
+  double walls_moved_ = 0.0;          ///< of the fastest wall since the renewal [m]
+  std::int64_t near_listed_ = 0;      ///< step at which near pairs were last listed
   double last_step_ = 0.0;    ///< 0 before the first step
   double time_ = 0.0;
   std::int64_t steps_ = 0;
