@@ -106,9 +106,9 @@ void add(const std::string& name, auto function, auto... arguments) {
 
 void add_all() {
   const Case b2k{"b2k", 1e-6, 6000, 400};
-  const Case b18k{"b18k", 1e-6, 3000, 50};
+  const Case b18k{"b18k", 1e-6, 6000, 100};
   const Case boiling{"b18k", 2e-6, 1000, 500};
-  const Case b1m{"b1m", 1e-6, 200, 2};
+  const Case b1m{"b1m", 1e-6, 500, 10};
   for (const auto& c : {b2k, b18k, b1m}) add("step/" + c.bed, whole_steps, c);
   add("step_boiling/b18k", whole_steps, boiling);
   for (const auto& c : {b2k, b18k, b1m}) {

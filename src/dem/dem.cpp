@@ -25,6 +25,8 @@ std::string where(const BeadProperties& bead, const Vec3& x) {
                      1e3 * x.z);
 }
 
+constexpr std::int64_t steps_to_look = 100;  // after which the near list may be found too wide
+
 bool finite(const Vec3& a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
@@ -121,8 +123,11 @@ void Dem::move_walls(double drift) {
 // renewal. NaN renews too, and is found there.
 void Dem::renew_if_needed() {
   const bool walls_hold = far_moved_ + moved_ + walls_moved_ < options_.skin;
-  if (2.0 * moved_ < near_skin_ && walls_hold) return;
-  adapt_near_skin();
+  const bool lists_hold = 2.0 * moved_ < near_skin_ && walls_hold;
+  const double skin = adapted_near_skin();
+  const bool too_wide = (steps_ - near_listed_) % steps_to_look == 0 && skin < 0.6 * near_skin_;
+  if (lists_hold && !too_wide) return;
+  near_skin_ = skin;
   far_moved_ = far_displacement();
   const bool far_list_holds = 2.0 * far_moved_ + near_skin_ < options_.skin &&
                               far_moved_ + walls_moved_ < options_.skin;
@@ -133,13 +138,14 @@ void Dem::renew_if_needed() {
   }
 }
 
-// By counts of steps, never by time: a run must not depend on the machine.
-void Dem::adapt_near_skin() {
-  constexpr std::int64_t often = 50;
-  constexpr std::int64_t seldom = 1000;
-  const std::int64_t lasted = steps_ - near_listed_;
-  if (lasted < often) near_skin_ = std::min(2.0 * near_skin_, options_.skin);
-  if (lasted > seldom) near_skin_ = std::max(0.5 * near_skin_, options_.skin / 64.0);
+// What would last for some steps at the present pace. By counts of steps, never by time: a run must
+// not depend on the machine.
+double Dem::adapted_near_skin() const {
+  constexpr double steps_to_last = 200.0;
+  const auto lasted = static_cast<double>(std::max<std::int64_t>(steps_ - near_listed_, 1));
+  const double wanted = 2.0 * moved_ * steps_to_last / lasted;
+  const double near = std::clamp(wanted, 0.25 * near_skin_, 2.0 * near_skin_);
+  return std::clamp(near, options_.skin / 64.0, options_.skin);
 }
 
 double Dem::far_displacement() const {

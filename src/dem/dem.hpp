@@ -72,7 +72,7 @@ class Dem {
   void renew();
   void renew_if_needed();
   void list_near_pairs();
-  void adapt_near_skin();
+  [[nodiscard]] double adapted_near_skin() const;
   [[nodiscard]] double far_displacement() const;
   [[nodiscard]] Coefficients coefficients_of(const PairKey& p) const;
   void fill_coefficients(const Wall& wall, WallContacts& contacts) const;
