@@ -124,10 +124,9 @@ void add_all() {
                                     .restitution_max = 0.9,
                                     .critical_stokes = 10.0,
                                     .viscosity = 1e-3}}};
-  const std::map<std::string, dem::RollingLaw> rolling_laws = {
-      {"none", dem::NoRolling{}},
-      {"cdt", dem::ConstantTorque{0.35}},
-      {"epsd", dem::ElasticPlastic{0.35}}};
+  const std::map<std::string, dem::RollingLaw> rolling_laws = {{"none", dem::NoRolling{}},
+                                                               {"cdt", dem::ConstantTorque{0.35}},
+                                                               {"epsd", dem::ElasticPlastic{0.35}}};
   for (const auto& [contact_name, contact] : contact_laws) {
     for (const auto& [rolling_name, rolling] : rolling_laws) {
       add("laws/" + contact_name + "+" + rolling_name, contact_forces, b2k,

@@ -54,7 +54,8 @@ void Dem::step_once() {
   const double dt = options_.step;
   renew_if_needed();
   add_forces_of_walls(dt);
-  add_contact_forces_and_move(dt, 0.5 * (last_step_ + dt), dt);
+  add_contact_forces_and_move(
+      dt, {.kick = 0.5 * (last_step_ + dt), .drift = dt, .damping = options_.background_damping});
   move_walls(dt);
   last_step_ = dt;
   time_ += dt;
@@ -69,44 +70,24 @@ void Dem::add_forces_of_walls(double dt) {
 
 // Contacts are sorted by i, and j > i: once all contacts of lower beads are done, a bead occurs in no
 // other, and is moved while it is still in the cache.
-void Dem::add_contact_forces_and_move(double dt, double kick, double drift) {
+void Dem::add_contact_forces_and_move(double dt, const Leapfrog& step) {
   constexpr std::size_t chunk = 32;
   const std::size_t blocks = contacts_.blocks.size();
   std::size_t moved = 0;
   Vec3 largest;
+  double spoiled = 0.0;  // a number that is none spoils it
   for (std::size_t first = 0; moved < particles_.size(); first += chunk) {
     const std::size_t last = std::min(first + chunk, blocks);
     add_contact_forces(options_.model, contacts_, first, last, particles_, dt);
     const std::size_t done =
         last < blocks ? static_cast<std::size_t>(contacts_.blocks[last].i[0]) : particles_.size();
-    const Vec3 far = move_beads(moved, done, kick, drift);
-    largest = {std::max(largest.x, far.x), std::max(largest.y, far.y), std::max(largest.z, far.z)};
+    const Vec3 far = move_beads(particles_, moved, done, step);
+    largest = {std::max(far.x, largest.x), std::max(far.y, largest.y), std::max(far.z, largest.z)};
+    spoiled += 0.0 * (far.x + far.y + far.z);
     moved = done;
   }
-  moved_ = norm(largest);  // the norm of the largest components bounds the largest displacement
-}
-
-// kick: time over which the force acts on the velocity (half a step at the start); drift: the step.
-// Returns the largest displacement in each direction since the renewal.
-Vec3 Dem::move_beads(std::size_t first, std::size_t last, double kick, double drift) {
-  const double damp = 0.5 * kick * options_.background_damping;
-  const double keep = (1.0 - damp) / (1.0 + damp);
-  const double push = kick / (1.0 + damp);
-  Vec3 largest;
-  for (std::size_t i = first; i < last; ++i) {
-    Motion& m = particles_.motion[i];
-    Spin& s = particles_.spin[i];
-    Load& load = particles_.load[i];
-    const double kept = m.inv_mass > 0.0 ? keep : 1.0;
-    m.v = kept * m.v + (push * m.inv_mass) * load.force;
-    s.w = kept * s.w + (push * m.inv_inertia) * load.torque;
-    m.x += drift * m.v;
-    load = {.force = {0.0, 0.0, -load.weight}, .weight = load.weight, .torque = {}};
-    const Vec3 d = m.x - particles_.reference[i];
-    largest = {std::max(largest.x, std::abs(d.x)), std::max(largest.y, std::abs(d.y)),
-               std::max(largest.z, std::abs(d.z))};
-  }
-  return largest;
+  // The norm of the largest components bounds the largest displacement.
+  moved_ = norm(largest) + spoiled;
 }
 
 void Dem::move_walls(double drift) {
@@ -129,8 +110,8 @@ void Dem::renew_if_needed() {
   if (lists_hold && !too_wide) return;
   near_skin_ = skin;
   far_moved_ = far_displacement();
-  const bool far_list_holds = 2.0 * far_moved_ + near_skin_ < options_.skin &&
-                              far_moved_ + walls_moved_ < options_.skin;
+  const bool far_list_holds =
+      2.0 * far_moved_ + near_skin_ < options_.skin && far_moved_ + walls_moved_ < options_.skin;
   if (far_list_holds) {
     list_near_pairs();
   } else {

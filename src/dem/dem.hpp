@@ -12,6 +12,7 @@
 #include "dem/contact_list.hpp"
 #include "dem/domain.hpp"
 #include "dem/force_pass.hpp"
+#include "dem/leapfrog.hpp"
 #include "dem/particles.hpp"
 #include "dem/stable_step.hpp"
 #include "dem/walls.hpp"
@@ -77,8 +78,7 @@ class Dem {
   [[nodiscard]] Coefficients coefficients_of(const PairKey& p) const;
   void fill_coefficients(const Wall& wall, WallContacts& contacts) const;
   void add_forces_of_walls(double dt);
-  void add_contact_forces_and_move(double dt, double kick, double drift);
-  [[nodiscard]] Vec3 move_beads(std::size_t first, std::size_t last, double kick, double drift);
+  void add_contact_forces_and_move(double dt, const Leapfrog& step);
   void move_walls(double drift);
   [[nodiscard]] double overlap(const PairKey& p) const;
 
@@ -87,18 +87,18 @@ class Dem {
   std::vector<Wall> walls_;
   ContactList contacts_;
   std::vector<WallContacts> wall_contacts_;
-  double cell_ = 0.0;         ///< width of the key grid [m]
+  double cell_ = 0.0;  ///< width of the key grid [m]
 
   // Two lists, two skins. Pairs within options_.skin are found at renewals, which also bring the beads
   // into a new order. Of these, pairs within near_skin_ are listed with their springs.
   std::vector<PairKey> far_pairs_;
-  std::vector<Vec3> far_reference_;   ///< centers at the last renewal
-  double far_moved_ = 0.0;            ///< since the renewal, when near pairs were last listed [m]
-  double near_skin_ = 0.0;            ///< [m]
-  double moved_ = 0.0;                ///< bound of the largest displacement since then [m]
-  double walls_moved_ = 0.0;          ///< of the fastest wall since the renewal [m]
-  std::int64_t near_listed_ = 0;      ///< step at which near pairs were last listed
-  double last_step_ = 0.0;    ///< 0 before the first step
+  std::vector<Vec3> far_reference_;  ///< centers at the last renewal
+  double far_moved_ = 0.0;           ///< since the renewal, when near pairs were last listed [m]
+  double near_skin_ = 0.0;           ///< [m]
+  double moved_ = 0.0;               ///< bound of the largest displacement since then [m]
+  double walls_moved_ = 0.0;         ///< of the fastest wall since the renewal [m]
+  std::int64_t near_listed_ = 0;     ///< step at which near pairs were last listed
+  double last_step_ = 0.0;           ///< 0 before the first step
   double time_ = 0.0;
   std::int64_t steps_ = 0;
   std::int64_t renewals_ = 0;

@@ -109,8 +109,8 @@ inline void transpose(const Eight (&row)[8], double* out, int columns) {
   transpose_halves(row[0], row[1], row[2], row[3], upper);
   transpose_halves(row[4], row[5], row[6], row[7], lower);
   for (int c = 0; c < columns; ++c) {
-    *reinterpret_cast<Eight*>(out + c * lanes) = c < 4 ? lower_halves(upper[c], lower[c])
-                                                       : upper_halves(upper[c - 4], lower[c - 4]);
+    *reinterpret_cast<Eight*>(out + c * lanes) =
+        c < 4 ? lower_halves(upper[c], lower[c]) : upper_halves(upper[c - 4], lower[c - 4]);
   }
 }
 

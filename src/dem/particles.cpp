@@ -11,6 +11,7 @@ void add_dummies(Particles& particles) {
         {.x = {far, far, far}, .v = {}, .inv_mass = 0.0, .inv_inertia = 0.0});
     particles.spin.push_back({.w = {}, .half_radius = 1e-5});
     particles.load.push_back({});
+    particles.reference.push_back({far, far, far});
   }
 }
 

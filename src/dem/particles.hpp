@@ -50,7 +50,7 @@ struct Particles {
   AlignedVector<Motion> motion;
   AlignedVector<Spin> spin;
   AlignedVector<Load> load;
-  AlignedVector<Vec3> reference;  ///< centers at the last renewal
+  AlignedVector<Vec3> reference;  ///< centers when pairs were last listed
   std::vector<BeadProperties> properties;
 
   /// Without the two dummies.

@@ -154,7 +154,8 @@ TEST(CarryOver, TurnsThePairAroundWhenTheOrderOfItsBeadsChanges) {
 TEST(ContactList, GivesItsPairsBack) {
   const auto p = make_particles(random_beads(200, 0.0), 1.0);
   std::vector<PairContact> pairs;
-  for (const auto& key : find_pairs(p, box(true, true, true), 10e-6)) pairs.push_back({key, {}, {}});
+  for (const auto& key : find_pairs(p, box(true, true, true), 10e-6))
+    pairs.push_back({key, {}, {}});
   for (std::size_t k = 0; k < pairs.size(); ++k) pairs[k].history.angle.x = static_cast<double>(k);
 
   const ContactList list(pairs, box(true, true, true), 200);
