@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dem/contact_list.hpp"
 
+#include <algorithm>
+
 namespace packbed::dem {
 namespace {
 
@@ -19,33 +21,44 @@ Vec3 get(const double (&rows)[3][lanes], std::size_t lane) {
 ContactList::ContactList(const std::vector<PairContact>& pairs,
                          const Domain& domain,
                          std::int32_t dummy)
-    : blocks((pairs.size() + lanes - 1) / lanes), size_(pairs.size()) {
-  PairContact none;
-  none.i = dummy;
-  none.j = dummy + 1;
-  for (std::size_t k = 0; k < blocks.size() * lanes; ++k) {
-    const auto& p = k < pairs.size() ? pairs[k] : none;
-    auto& block = blocks[k / lanes];
-    const auto lane = k % lanes;
-    block.i[lane] = p.i;
-    block.j[lane] = p.j;
-    block.image[lane] = p.image;
-    put(block.spring, lane, p.history.spring);
-    put(block.angle, lane, p.history.angle);
-    put(block.coefficient, lane, {p.coefficients.a, p.coefficients.b, p.coefficients.c});
-    put(block.shift, lane, offset(domain, p.image));
+    : ContactList(domain, dummy) {
+  blocks.reserve((pairs.size() + lanes - 1) / lanes);
+  for (const auto& p : pairs) push_back(p);
+}
+
+void ContactList::push_back(const PairContact& p) {
+  const auto lane = size_ % lanes;
+  if (lane == 0) {
+    auto& block = blocks.emplace_back();
+    std::fill_n(block.i, lanes, dummy_);
+    std::fill_n(block.j, lanes, dummy_ + 1);
   }
+  auto& block = blocks.back();
+  block.i[lane] = p.i;
+  block.j[lane] = p.j;
+  for (std::size_t axis = 0; axis < 3; ++axis) block.image[axis][lane] = p.image[axis];
+  put(block.spring, lane, p.history.spring);
+  put(block.angle, lane, p.history.angle);
+  put(block.coefficient, lane, {p.coefficients.a, p.coefficients.b, p.coefficients.c});
+  ++size_;
+}
+
+PairKey ContactList::key(std::size_t k) const {
+  const auto& block = blocks[k / lanes];
+  const auto lane = k % lanes;
+  return {.i = block.i[lane],
+          .j = block.j[lane],
+          .image = {block.image[0][lane], block.image[1][lane], block.image[2][lane]}};
 }
 
 PairContact ContactList::pair(std::size_t k) const {
   const auto& block = blocks[k / lanes];
   const auto lane = k % lanes;
   const Vec3 c = get(block.coefficient, lane);
-  return {.i = block.i[lane],
-          .j = block.j[lane],
-          .image = block.image[lane],
-          .coefficients = {c.x, c.y, c.z},
-          .history = {get(block.spring, lane), get(block.angle, lane)}};
+  PairContact p{key(k), {}, {}};
+  p.coefficients = {c.x, c.y, c.z};
+  p.history = {get(block.spring, lane), get(block.angle, lane)};
+  return p;
 }
 
 std::vector<PairContact> ContactList::pairs() const {

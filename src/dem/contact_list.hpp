@@ -5,6 +5,7 @@
 /// Pairs of beads that touch or are about to, each with its springs, in blocks of 32 lanes.
 /// Sorted by (i, j, image), i before j in the order of the beads.
 
+#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -15,12 +16,17 @@
 
 namespace packbed::dem {
 
-/// One pair. It is bead i with the image of bead j at x_j + offset(image): the shift is stored,
-/// never guessed from the nearest image, which would be wrong in a thin slice.
-struct PairContact {
+/// Who is meant: bead i and the image of bead j at x_j + offset(image). The shift is stored, never
+/// guessed from the nearest image, which would be wrong in a thin slice.
+struct PairKey {
   std::int32_t i = 0;
   std::int32_t j = 0;
   Image image{};
+  auto operator<=>(const PairKey&) const = default;
+};
+
+/// One pair.
+struct PairContact : PairKey {
   Coefficients coefficients;
   History history;
 };
@@ -31,20 +37,28 @@ struct alignas(64) ContactBlock {
   double spring[3][lanes];
   double angle[3][lanes];
   double coefficient[3][lanes];
-  double shift[3][lanes];  ///< offset of j [m]
   std::int32_t i[lanes];
   std::int32_t j[lanes];
-  Image image[lanes];
+  std::int8_t image[3][lanes];  ///< of j, one row per axis
 };
 
 /// The blocks of a list of pairs. Lanes left over hold the two dummies.
 class ContactList {
  public:
   ContactList() = default;
-  /// `pairs` sorted; `dummy` is the first of the two dummies, the number of beads.
+  /// Empty. `dummy` is the first of the two dummies, the number of beads.
+  ContactList(const Domain& domain, std::int32_t dummy)
+      : box_(to_vec3(domain.size)), dummy_(dummy) {}
+  /// `pairs` sorted.
   ContactList(const std::vector<PairContact>& pairs, const Domain& domain, std::int32_t dummy);
 
+  /// Pairs come in their order.
+  void push_back(const PairContact& p);
+
   [[nodiscard]] std::size_t size() const { return size_; }
+  /// Lengths of the periodic box, by which images are shifted [m].
+  [[nodiscard]] const Vec3& box() const { return box_; }
+  [[nodiscard]] PairKey key(std::size_t k) const;
   [[nodiscard]] PairContact pair(std::size_t k) const;
   [[nodiscard]] std::vector<PairContact> pairs() const;
 
@@ -52,6 +66,8 @@ class ContactList {
 
  private:
   std::size_t size_ = 0;
+  Vec3 box_;
+  std::int32_t dummy_ = 0;
 };
 
 }  // namespace packbed::dem

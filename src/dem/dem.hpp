@@ -14,6 +14,7 @@
 #include "dem/domain.hpp"
 #include "dem/exchange.hpp"
 #include "dem/force_pass.hpp"
+#include "dem/leapfrog.hpp"
 #include "dem/particles.hpp"
 #include "dem/partition.hpp"
 #include "dem/stable_step.hpp"
@@ -95,19 +96,23 @@ class Dem {
   /// Time over which v(n - 1/2) has moved the springs: the last step. Before the first one the coming
   /// step, so that beads which slide from the start do not look as if they stuck.
   [[nodiscard]] double spring_step() const { return last_step_ > 0.0 ? last_step_ : options_.step; }
-  void sort_beads_and_pairs();
-  void trade_beads_and_pairs();
+  void sort_beads_and_contacts();
+  void trade_beads_and_contacts();
+  void list_near_pairs();
   void list_wall_contacts(const std::vector<std::int32_t>& place);
-  void fill_coefficients(std::vector<PairContact>& pairs) const;
+  [[nodiscard]] double adapted_near_skin() const;
+  [[nodiscard]] double displacement_of_own() const;
+  [[nodiscard]] double far_displacement() const;
+  [[nodiscard]] Coefficients coefficients_of(const PairKey& p) const;
   void fill_coefficients(const Wall& wall, WallContacts& contacts) const;
-  void add_forces(double dt);
+  void add_forces_of_walls();
+  void add_contact_forces_and_move(const Leapfrog& step);
   void add_forces_here(Particles& p,
                        ContactList& contacts,
                        std::vector<WallContacts>& near,
                        std::vector<Vec3>& wall_force) const;
-  void integrate(double kick, double drift);
   void move_walls(double drift);
-  [[nodiscard]] double overlap(const PairContact& p) const;
+  [[nodiscard]] double overlap(const PairKey& p) const;
 
   DemOptions options_;
   Particles particles_;
@@ -118,11 +123,20 @@ class Dem {
   HaloExchange halo_;
   std::int64_t bead_count_ = 0;
   std::int64_t repartitions_ = 0;
-  double cell_ = 0.0;         ///< width of the key grid [m]
-  double moved_ = 0.0;        ///< largest displacement of all beads since the last renewal [m]
-  double walls_moved_ = 0.0;  ///< of the fastest wall since then [m]
-  double last_step_ = 0.0;    ///< 0 before the first step
-  double time_before_ = 0.0;  ///< when the present step size came into force [s]
+  double cell_ = 0.0;  ///< width of the key grid [m]
+
+  // Two lists, two skins. Pairs within options_.skin are found at renewals, which also bring the beads
+  // into a new order. Of these, pairs within near_skin_ are listed with their springs. What decides of
+  // renewals is the same on all ranks.
+  std::vector<PairKey> far_pairs_;
+  std::vector<Vec3> far_reference_;  ///< centers at the last renewal
+  double far_moved_ = 0.0;           ///< since the renewal, when near pairs were last listed [m]
+  double near_skin_ = 0.0;           ///< [m]
+  double moved_ = 0.0;               ///< bound of the largest displacement since then [m]
+  double walls_moved_ = 0.0;         ///< of the fastest wall since the renewal [m]
+  std::int64_t near_listed_ = 0;     ///< step at which near pairs were last listed
+  double last_step_ = 0.0;           ///< 0 before the first step
+  double time_before_ = 0.0;         ///< when the present step size came into force [s]
   std::int64_t steps_before_ = 0;
   std::int64_t steps_ = 0;
   std::int64_t renewals_ = 0;

@@ -135,7 +135,8 @@ PlacedContacts place_contacts(const Luggage& luggage,
     const auto i = place.find(c.id_i);
     const auto j = place.find(c.id_j);
     if (i == place.end() || j == place.end()) continue;
-    placed.pairs.push_back({i->second, j->second, c.image, c.coefficients, c.history});
+    placed.pairs.push_back(
+        {{.i = i->second, .j = j->second, .image = c.image}, c.coefficients, c.history});
   }
   placed.walls.resize(wall_count);
   for (const auto& c : luggage.wall_contacts) {
@@ -146,7 +147,7 @@ PlacedContacts place_contacts(const Luggage& luggage,
 }
 
 HaloExchange::HaloExchange(const Particles& particles,
-                           const std::vector<PairContact>& pairs,
+                           const std::vector<PairKey>& pairs,
                            const Ranks& ranks)
     : send_(one_per<std::int32_t>(ranks)), receive_(one_per<std::int32_t>(ranks)) {
   std::set<std::int32_t> used;

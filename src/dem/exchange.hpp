@@ -86,9 +86,7 @@ class HaloExchange {
  public:
   HaloExchange() = default;
   /// For the halo beads that `pairs` use; the owners are told.
-  HaloExchange(const Particles& particles,
-               const std::vector<PairContact>& pairs,
-               const Ranks& ranks);
+  HaloExchange(const Particles& particles, const std::vector<PairKey>& pairs, const Ranks& ranks);
 
   /// Brings position, velocity and spin of the halo beads up to date.
   void refresh(Particles& particles, const Ranks& ranks) const;

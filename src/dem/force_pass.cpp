@@ -1,56 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dem/force_pass.hpp"
 
+#include <algorithm>
+
+#include "dem/lanes.hpp"
+
 namespace packbed::dem {
 namespace {
-
-/// Relative motion of the pairs of one block, one lane each.
-struct alignas(64) Relative {
-  double x[3][lanes];         ///< x_i - x_j
-  double v[3][lanes];         ///< v_i - v_j
-  double sum_w[3][lanes];     ///< w_i + w_j
-  double diff_w[3][lanes];    ///< w_i - w_j
-  double mean_r[lanes];       ///< (R_i + R_j) / 2
-  double half_diff_r[lanes];  ///< (R_i - R_j) / 2
-};
-
-/// Forces on the beads of one block. j gets the opposite force.
-struct alignas(64) Forces {
-  double force[3][lanes];
-  double torque_i[3][lanes];
-  double torque_j[3][lanes];
-};
-
-inline void put(double (&rows)[3][lanes], int lane, const Vec3& a) {
-  rows[0][lane] = a.x;
-  rows[1][lane] = a.y;
-  rows[2][lane] = a.z;
-}
-
-inline Vec3 get(const double (&rows)[3][lanes], int lane) {
-  return {rows[0][lane], rows[1][lane], rows[2][lane]};
-}
-
-void gather(const ContactBlock& block, const Particles& particles, Relative& relative) {
-  const Motion* motion = particles.motion.data();
-  const Spin* spin = particles.spin.data();
-  for (int lane = 0; lane < lanes; ++lane) {
-    const auto i = block.i[lane];
-    const auto j = block.j[lane];
-    put(relative.x, lane, motion[i].x - motion[j].x - get(block.shift, lane));
-    put(relative.v, lane, motion[i].v - motion[j].v);
-    put(relative.sum_w, lane, spin[i].w + spin[j].w);
-    put(relative.diff_w, lane, spin[i].w - spin[j].w);
-    relative.mean_r[lane] = spin[i].half_radius + spin[j].half_radius;
-    relative.half_diff_r[lane] = spin[i].half_radius - spin[j].half_radius;
-  }
-}
 
 // With the arms c_i, c_j = r / 2 +- (R_i - R_j) / 2, which add up to the distance r:
 // c_i w_i + c_j w_j = r / 2 (w_i + w_j) + (R_i - R_j) / 2 (w_i - w_j).
 template <class Law, class Rolling>
-void evaluate(const Law& law,
-              const Rolling& rolling,
+void evaluate(Law law,
+              Rolling rolling,
               double mu,
               double dt,
               const Relative& __restrict relative,
@@ -83,18 +45,11 @@ void evaluate(const Law& law,
   }
 }
 
-void scatter(const ContactBlock& block, const Forces& forces, Particles& particles) {
-  Load* load = particles.load.data();
-  for (int lane = 0; lane < lanes; ++lane) {
-    Load& i = load[block.i[lane]];
-    Load& j = load[block.j[lane]];
-    const Vec3 force = get(forces.force, lane);
-    i.force += force;
-    i.torque += get(forces.torque_i, lane);
-    j.force -= force;
-    j.torque += get(forces.torque_j, lane);
-  }
-}
+// Beads beyond the second-level cache are asked for ahead of time, and blocks of contacts further
+// ahead, since the places of the beads stand in them.
+constexpr std::size_t beads_in_cache = 10'000;
+constexpr std::size_t bead_lead = 1;
+constexpr std::size_t block_lead = 4;
 
 template <class Law, class Rolling>
 void add_forces(const Law& law,
@@ -102,11 +57,21 @@ void add_forces(const Law& law,
                 double mu,
                 double dt,
                 ContactList& contacts,
+                std::size_t first,
+                std::size_t last,
                 Particles& particles) {
   Relative relative;
   Forces forces;
-  for (auto& block : contacts.blocks) {
-    gather(block, particles, relative);
+  const std::size_t ahead =  // blocks up to here have others far enough behind them
+      particles.size() > beads_in_cache ? std::max(contacts.blocks.size(), block_lead) - block_lead
+                                        : 0;
+  for (std::size_t b = first; b < last; ++b) {
+    if (b < ahead) {
+      prefetch_block(contacts.blocks[b + block_lead]);
+      prefetch_beads(contacts.blocks[b + bead_lead], particles);
+    }
+    auto& block = contacts.blocks[b];
+    gather(block, particles, contacts.box(), relative);
     evaluate(law, rolling, mu, dt, relative, block, forces);
     scatter(block, forces, particles);
   }
@@ -138,11 +103,13 @@ Vec3 add_wall_forces(const Law& law,
 
 void add_contact_forces(const ContactModel& model,
                         ContactList& contacts,
+                        std::size_t first,
+                        std::size_t last,
                         Particles& particles,
                         double dt) {
   std::visit(
       [&](const auto& law, const auto& rolling) {
-        add_forces(law, rolling, model.friction, dt, contacts, particles);
+        add_forces(law, rolling, model.friction, dt, contacts, first, last, particles);
       },
       model.contact, model.rolling);
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -13,105 +12,136 @@ namespace {
 
 std::array<double, 3> as_array(const Vec3& a) { return {a.x, a.y, a.z}; }
 
-auto key(const PairContact& p) { return std::tuple(p.i, p.j, p.image); }
+/// Pairs sorted by their key: first counted into place by i, then each bead's few by j and image.
+template <class Pair>
+std::vector<Pair> sorted(const std::vector<Pair>& pairs, std::size_t beads) {
+  std::vector<std::size_t> start(beads + 1);
+  for (const auto& p : pairs) ++start[static_cast<std::size_t>(p.i) + 1];
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  auto next = start;
+  std::vector<Pair> result(pairs.size());
+  for (const auto& p : pairs) result[next[static_cast<std::size_t>(p.i)]++] = p;
+  const auto key = [](const PairKey& p) -> const PairKey& { return p; };
+  for (std::size_t i = 0; i < beads; ++i) {
+    std::ranges::sort(result.begin() + static_cast<std::ptrdiff_t>(start[i]),
+                      result.begin() + static_cast<std::ptrdiff_t>(start[i + 1]), {}, key);
+  }
+  return result;
+}
 
-/// Cells as wide as the farthest reach of two beads, beads sorted into them.
+/// Beads sorted into cells about as wide as a mean bead. A bead looks for the smaller ones, within
+/// its own diameter: the cost of a contact does not grow with the ratio of sizes.
 class Grid {
  public:
-  Grid(const Particles& particles, const Domain& domain, double reach)
-      : particles_(particles), domain_(domain) {
-    for (std::size_t axis = 0; axis < 3; ++axis) lay_out(axis, reach);
-    sort_beads();
+  Grid(const Particles& particles, const Domain& domain, double width) : domain_(domain) {
+    for (std::size_t axis = 0; axis < 3; ++axis) lay_out(particles, axis, width);
+    sort_beads(particles);
   }
 
-  /// Calls visit(j, image) for every bead and image in the cells around bead i.
+  struct Bead {
+    Vec3 x;
+    double radius;
+  };
+
+  /// Calls visit(j, bead j, image) for every bead and image in the cells within reach of x.
   template <class Visit>
-  void for_neighbors(std::size_t i, Visit visit) const {
-    const auto home = cell_of(particles_.motion[i].x);
+  void for_neighbors(const Vec3& x, double reach, Visit visit) const {
+    const auto at = as_array(x);
+    std::array<int, 3> first{};
+    std::array<int, 3> last{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      first[axis] = cell(axis, at[axis] - reach);
+      last[axis] = cell(axis, at[axis] + reach);
+    }
     Image image{};
-    for (int dz = -reach_[2]; dz <= reach_[2]; ++dz) {
-      const int z = step(2, home[2] + dz, image);
-      if (z < 0) continue;
-      for (int dy = -reach_[1]; dy <= reach_[1]; ++dy) {
-        const int y = step(1, home[1] + dy, image);
-        if (y < 0) continue;
-        for (int dx = -reach_[0]; dx <= reach_[0]; ++dx) {
-          const int x = step(0, home[0] + dx, image);
-          if (x < 0) continue;
-          const auto c = index({x, y, z});
-          for (auto k = start_[c]; k < start_[c + 1]; ++k) visit(beads_[k], image);
+    for (int z = first[2]; z <= last[2]; ++z) {
+      const int slab = around(2, z, image) * count_[1];
+      for (int y = first[1]; y <= last[1]; ++y) {
+        const int row = (slab + around(1, y, image)) * count_[0];
+        for (int c = first[0]; c <= last[0];) {  // cells of one image stand side by side
+          const int begin = around(0, c, image);
+          const int end = std::min(begin + last[0] - c, count_[0] - 1);
+          const auto k_end = start_[static_cast<std::size_t>(row + end) + 1];
+          for (auto k = start_[static_cast<std::size_t>(row + begin)]; k < k_end; ++k) {
+            visit(place_[k], beads_[k], image);
+          }
+          c += end - begin + 1;
         }
       }
     }
   }
 
  private:
-  void lay_out(std::size_t axis, double reach) {
+  void lay_out(const Particles& particles, std::size_t axis, double width) {
     double low = domain_.low[axis];
     double size = domain_.size[axis];
     if (!domain_.periodic[axis]) {  // beads may be anywhere: take their own range
-      double high = low = particles_.size() > 0 ? as_array(particles_.motion[0].x)[axis] : 0.0;
-      for (std::size_t i = 0; i < particles_.size(); ++i) {
-        const double x = as_array(particles_.motion[i].x)[axis];
+      double high = low = as_array(particles.motion[0].x)[axis];
+      for (std::size_t i = 0; i < particles.size(); ++i) {
+        const double x = as_array(particles.motion[i].x)[axis];
         low = std::min(low, x);
         high = std::max(high, x);
       }
-      size = std::max(high - low, reach);
+      size = std::max(high - low, width);
     }
     constexpr double most_cells = 1024.0;
     low_[axis] = low;
-    count_[axis] = static_cast<int>(std::clamp(std::floor(size / reach), 1.0, most_cells));
-    width_[axis] = size / count_[axis];
-    reach_[axis] = static_cast<int>(std::ceil(reach / width_[axis] * (1.0 + 1e-12)));
+    count_[axis] = static_cast<int>(std::clamp(std::floor(size / width), 1.0, most_cells));
+    per_length_[axis] = count_[axis] / size;
   }
 
-  [[nodiscard]] std::array<int, 3> cell_of(const Vec3& x) const {
-    const auto a = as_array(x);
-    std::array<int, 3> cell{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double c = std::floor((a[axis] - low_[axis]) / width_[axis]);
-      cell[axis] = static_cast<int>(std::clamp(c, 0.0, count_[axis] - 1.0));
-    }
-    return cell;
+  /// Cell of a coordinate: inside the box, unless the axis is periodic.
+  [[nodiscard]] int cell(std::size_t axis, double x) const {
+    const double c = std::floor((x - low_[axis]) * per_length_[axis]);
+    return static_cast<int>(domain_.periodic[axis] ? c : std::clamp(c, 0.0, count_[axis] - 1.0));
   }
 
-  [[nodiscard]] std::size_t index(const std::array<int, 3>& c) const {
-    return static_cast<std::size_t>((c[2] * count_[1] + c[1]) * count_[0] + c[0]);
-  }
-
-  /// Cell c of an axis taken around periodic sides, with the image that is then meant; -1 if none.
-  int step(std::size_t axis, int c, Image& image) const {
+  /// Cell c taken around a periodic side, with the image that is then meant.
+  int around(std::size_t axis, int c, Image& image) const {
     const int n = count_[axis];
-    int turns = 0;
-    if (domain_.periodic[axis]) {
-      turns = c >= 0 ? c / n : -((-c + n - 1) / n);
-      c -= turns * n;
-    }
+    const int turns = c >= 0 ? c / n : -((-c + n - 1) / n);
     image[axis] = static_cast<std::int8_t>(turns);
-    return c >= 0 && c < n ? c : -1;
+    return c - turns * n;
   }
 
-  void sort_beads() {
-    const auto cells = static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]) *
-                       static_cast<std::size_t>(count_[2]);
-    start_.assign(cells + 1, 0);
-    std::vector<std::size_t> cell(particles_.size());
-    for (std::size_t i = 0; i < cell.size(); ++i) {
-      cell[i] = index(cell_of(particles_.motion[i].x));
-      ++start_[cell[i] + 1];
+  void sort_beads(const Particles& particles) {
+    start_.assign(static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]) *
+                          static_cast<std::size_t>(count_[2]) +
+                      1,
+                  0);
+    std::vector<std::size_t> home(particles.size());
+    for (std::size_t i = 0; i < home.size(); ++i) {
+      const auto x = as_array(particles.motion[i].x);
+      const auto inside = [&](std::size_t axis) {
+        return std::clamp(cell(axis, x[axis]), 0, count_[axis] - 1);
+      };
+      home[i] =
+          static_cast<std::size_t>((inside(2) * count_[1] + inside(1)) * count_[0] + inside(0));
+      ++start_[home[i] + 1];
     }
     std::partial_sum(start_.begin(), start_.end(), start_.begin());
     auto next = start_;
-    beads_.resize(cell.size());
-    for (std::size_t i = 0; i < cell.size(); ++i) beads_[next[cell[i]]++] = i;
+    place_.resize(home.size());
+    beads_.resize(home.size());
+    for (std::size_t i = 0; i < home.size(); ++i) {
+      const auto k = next[home[i]]++;
+      place_[k] = i;
+      beads_[k] = {particles.motion[i].x, particles.radius(i)};
+    }
   }
 
-  const Particles& particles_;
   const Domain& domain_;
-  std::array<double, 3> low_{}, width_{};
-  std::array<int, 3> count_{}, reach_{};
-  std::vector<std::size_t> start_, beads_;
+  std::array<double, 3> low_{}, per_length_{};
+  std::array<int, 3> count_{};
+  std::vector<std::size_t> start_, place_;
+  std::vector<Bead> beads_;
 };
+
+/// The pair seen from its other end.
+void turn_around(PairKey& p) {
+  std::swap(p.i, p.j);
+  for (auto& turns : p.image) turns = static_cast<std::int8_t>(-turns);
+}
 
 PairContact moved(const PairContact& old,
                   const std::vector<std::int32_t>& place,
@@ -124,9 +154,8 @@ PairContact moved(const PairContact& old,
   }
   p.i = place[static_cast<std::size_t>(old.i)];
   p.j = place[static_cast<std::size_t>(old.j)];
-  if (p.i > p.j) {  // the pair seen from its other end
-    std::swap(p.i, p.j);
-    for (auto& turns : p.image) turns = static_cast<std::int8_t>(-turns);
+  if (p.i > p.j) {
+    turn_around(p);
     p.history.spring = -p.history.spring;
     p.history.angle = -p.history.angle;
   }
@@ -152,67 +181,55 @@ std::vector<Image> wrap(Particles& particles, const Domain& domain) {
 
 std::vector<std::int32_t> key_order(const Particles& particles, const Domain& domain, double cell) {
   using Key = std::tuple<std::int64_t, std::int64_t, std::int64_t, double, std::int64_t>;
-  std::vector<Key> keys(particles.size());
+  std::vector<std::pair<Key, std::int32_t>> keys(particles.size());
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const auto& x = particles.motion[i].x;
     const auto slab = [&](double a, std::size_t axis) {
       return static_cast<std::int64_t>(std::floor((a - domain.low[axis]) / cell));
     };
-    keys[i] = {slab(x.z, 2), slab(x.y, 1), slab(x.x, 0), x.x, particles.properties[i].id};
+    keys[i] = {{slab(x.z, 2), slab(x.y, 1), slab(x.x, 0), x.x, particles.properties[i].id},
+               static_cast<std::int32_t>(i)};
   }
+  if (!std::ranges::is_sorted(keys)) std::ranges::sort(keys);
   std::vector<std::int32_t> order(keys.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::sort(order, {}, [&](std::int32_t k) { return keys[static_cast<std::size_t>(k)]; });
+  std::ranges::transform(keys, order.begin(), [](const auto& key) { return key.second; });
   return order;
 }
 
-std::vector<PairContact> find_pairs(const Particles& particles, const Domain& domain, double skin) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    largest = std::max(largest, 2.0 * particles.radius(i));
-  }
-  std::vector<PairContact> pairs;
-  if (particles.size() < 2) return pairs;
-  const Grid grid(particles, domain, largest + skin);
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    const auto first = pairs.size();
+std::vector<PairKey> find_pairs(const Particles& particles, const Domain& domain, double skin) {
+  const std::size_t count = particles.size();
+  if (count < 2) return {};
+  double sum = 0.0;
+  for (std::size_t i = 0; i < count; ++i) sum += 2.0 * particles.radius(i);
+  const Grid grid(particles, domain, sum / static_cast<double>(count) + skin);
+  std::vector<PairKey> pairs;
+  pairs.reserve(4 * count);
+  for (std::size_t i = 0; i < count; ++i) {
     const Vec3 x_i = particles.motion[i].x;
-    grid.for_neighbors(i, [&](std::size_t j, const Image& image) {
-      if (j <= i || (!particles.is_own(i) && !particles.is_own(j))) return;
-      const Vec3 d = x_i - (particles.motion[j].x + offset(domain, image));
-      const double near = particles.radius(i) + particles.radius(j) + skin;
-      if (dot(d, d) >= near * near) return;
-      PairContact p;
-      p.i = static_cast<std::int32_t>(i);
-      p.j = static_cast<std::int32_t>(j);
-      p.image = image;
+    const double r_i = particles.radius(i);
+    constexpr double margin = 1.0 + 1e-9;  // of rounding in cells
+    const double reach = margin * (2.0 * r_i + skin);
+    grid.for_neighbors(x_i, reach, [&](std::size_t j, const Grid::Bead& b, const Image& image) {
+      if (b.radius > r_i || (b.radius == r_i && j <= i)) return;  // j finds i
+      const Vec3 d = x_i - (b.x + offset(domain, image));
+      const double near = r_i + b.radius + skin;
+      if (dot(d, d) >= near * near || i == j) return;
+      if (!particles.is_own(i) && !particles.is_own(j)) return;
+      PairKey p{
+          .i = static_cast<std::int32_t>(i), .j = static_cast<std::int32_t>(j), .image = image};
+      if (j < i) turn_around(p);
       pairs.push_back(p);
     });
-    std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end(),
-              [](const auto& a, const auto& b) { return key(a) < key(b); });
   }
-  return pairs;
+  return sorted(pairs, count);
 }
 
-std::size_t carry_over(std::vector<PairContact>& pairs,
-                       std::vector<PairContact> old_pairs,
-                       const std::vector<std::int32_t>& place,
-                       const std::vector<Image>& wraps) {
-  for (auto& p : old_pairs) p = moved(p, place, wraps);
-  std::ranges::sort(old_pairs, [](const auto& a, const auto& b) { return key(a) < key(b); });
-  auto old = old_pairs.begin();
-  std::size_t unknown = 0;
-  for (auto& p : pairs) {
-    while (old != old_pairs.end() && key(*old) < key(p)) ++old;
-    if (old != old_pairs.end() && key(*old) == key(p)) {
-      p.coefficients = old->coefficients;
-      p.history = old->history;
-    } else {
-      p.coefficients.a = -1.0;  // to be filled in by the contact law
-      ++unknown;
-    }
-  }
-  return unknown;
+std::vector<PairContact> carry_over(const std::vector<PairContact>& old_pairs,
+                                    const std::vector<std::int32_t>& place,
+                                    const std::vector<Image>& wraps) {
+  std::vector<PairContact> pairs = old_pairs;
+  for (auto& p : pairs) p = moved(p, place, wraps);
+  return sorted(pairs, place.size());
 }
 
 }  // namespace packbed::dem

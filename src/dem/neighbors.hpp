@@ -21,17 +21,14 @@ std::vector<Image> wrap(Particles& particles, const Domain& domain);
 /// `cell` is the width of that grid [m]; it must not change during a run.
 std::vector<std::int32_t> key_order(const Particles& particles, const Domain& domain, double cell);
 
-/// All pairs with at least one own bead and a gap below `skin` [m], sorted by (i, j, image), without springs. Images are
-/// partners of their own. Works for any ratio of sizes and any thickness of a periodic side down to
-/// the largest diameter.
-std::vector<PairContact> find_pairs(const Particles& particles, const Domain& domain, double skin);
+/// All pairs with at least one own bead and a gap below `skin` [m], sorted by (i, j, image). Images are
+/// partners of their own. Works for any ratio of sizes and any thickness of a periodic side down to the largest diameter.
+std::vector<PairKey> find_pairs(const Particles& particles, const Domain& domain, double skin);
 
-/// Gives the new pairs the coefficients and springs that they had in the old list. `old_pairs` speak
-/// of the old order; `place` is the new place of each old bead, `wraps` its move (old order).
-/// Returns how many pairs of the new list are new.
-std::size_t carry_over(std::vector<PairContact>& pairs,
-                       std::vector<PairContact> old_pairs,
-                       const std::vector<std::int32_t>& place,
-                       const std::vector<Image>& wraps);
+/// The pairs of an old list in the new order of the beads, sorted. `place` is the new place of each
+/// old bead, `wraps` its move over periodic sides (old order).
+std::vector<PairContact> carry_over(const std::vector<PairContact>& old_pairs,
+                                    const std::vector<std::int32_t>& place,
+                                    const std::vector<Image>& wraps);
 
 }  // namespace packbed::dem

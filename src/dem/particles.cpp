@@ -11,6 +11,7 @@ void add_dummies(Particles& particles) {
         {.x = {far, far, far}, .v = {}, .inv_mass = 0.0, .inv_inertia = 0.0});
     particles.spin.push_back({.w = {}, .half_radius = 1e-5});
     particles.load.push_back({});
+    particles.reference.push_back({far, far, far});
   }
 }
 
@@ -39,10 +40,10 @@ void add(Particles& particles,
   const auto place = static_cast<std::ptrdiff_t>(particles.size());
   particles.motion.insert(particles.motion.begin() + place, motion);
   particles.spin.insert(particles.spin.begin() + place, spin);
-  Load load{};
-  load.force.z = -properties.weight;
-  particles.load.insert(particles.load.begin() + place, load);
-  particles.reference.push_back(motion.x);
+  particles.load.insert(
+      particles.load.begin() + place,
+      {.force = {0.0, 0.0, -properties.weight}, .weight = properties.weight, .torque = {}});
+  particles.reference.insert(particles.reference.begin() + place, motion.x);
   particles.properties.push_back(properties);
   particles.owner.push_back(owner);
 }

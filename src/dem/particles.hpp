@@ -28,11 +28,12 @@ struct alignas(32) Spin {
   double half_radius;  ///< R / 2 [m]
 };
 
+/// Forces and torques of a step, gathered; between steps the weight alone.
 struct alignas(64) Load {
-  Vec3 force;  ///< [N]
-  double zero_1;
-  Vec3 torque;  ///< [N m]
-  double zero_2;
+  Vec3 force;          ///< [N]
+  double weight = 0;   ///< weight less buoyancy, downwards [N]: what the force starts from
+  Vec3 torque;         ///< [N m]
+  double nothing = 0;  ///< stays 0
 };
 
 /// What a bead is made of; one value per bead.
@@ -49,7 +50,7 @@ struct Particles {
   AlignedVector<Motion> motion;
   AlignedVector<Spin> spin;
   AlignedVector<Load> load;
-  std::vector<Vec3> reference;  ///< centers at the last renewal
+  AlignedVector<Vec3> reference;  ///< centers when pairs were last listed
   std::vector<BeadProperties> properties;
   std::vector<std::int32_t> owner;  ///< rank that owns the bead
   std::int32_t rank = 0;            ///< this one

@@ -58,9 +58,8 @@ StableStep stable_step(const ContactModel& model,
     const auto p = contacts.pair(q);
     const auto i = static_cast<std::size_t>(p.i);
     const auto j = static_cast<std::size_t>(p.j);
-    const auto& block = contacts.blocks[q / lanes];
-    const auto lane = q % lanes;
-    const Vec3 shift{block.shift[0][lane], block.shift[1][lane], block.shift[2][lane]};
+    const Vec3 box = contacts.box();
+    const Vec3 shift{box.x * p.image[0], box.y * p.image[1], box.z * p.image[2]};
     const double r_i = particles.radius(i);
     const double r_j = particles.radius(j);
     const double distance = norm(particles.motion[i].x - particles.motion[j].x - shift);

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// @file
+/// The beads of a block of contacts brought into lanes, and the forces of the lanes brought back to
+/// the beads, one contact after the other. With AVX-512 records are read and written whole and
+/// turned into lanes by transposing 8 x 8 numbers in registers; else plain loops do the same. Both
+/// do the same arithmetic in the same order.
+
+#include "dem/contact_list.hpp"
+#include "dem/particles.hpp"
+
+#ifdef __AVX512F__
+#include <immintrin.h>
+#endif
+
+namespace packbed::dem {
+
+/// Relative motion of the pairs of one block, one lane each. In the order of the records of beads.
+struct alignas(64) Relative {
+  double x[3][lanes];         ///< x_i - x_j
+  double v[3][lanes];         ///< v_i - v_j
+  double sum_w[3][lanes];     ///< w_i + w_j
+  double mean_r[lanes];       ///< (R_i + R_j) / 2
+  double diff_w[3][lanes];    ///< w_i - w_j
+  double half_diff_r[lanes];  ///< (R_i - R_j) / 2
+};
+
+/// Forces on the beads of one block. j gets the opposite force.
+struct alignas(64) Forces {
+  double force[3][lanes];
+  double torque_i[3][lanes];
+  double torque_j[3][lanes];
+};
+
+inline void put(double (&rows)[3][lanes], int lane, const Vec3& a) {
+  rows[0][lane] = a.x;
+  rows[1][lane] = a.y;
+  rows[2][lane] = a.z;
+}
+
+inline Vec3 get(const double (&rows)[3][lanes], int lane) {
+  return {rows[0][lane], rows[1][lane], rows[2][lane]};
+}
+
+/// Asks for the records of the beads of a block that comes soon.
+inline void prefetch_beads(const ContactBlock& block, const Particles& particles) {
+  for (const auto j : block.j) {
+    __builtin_prefetch(&particles.motion[static_cast<std::size_t>(j)]);
+    __builtin_prefetch(&particles.spin[static_cast<std::size_t>(j)]);
+    __builtin_prefetch(&particles.load[static_cast<std::size_t>(j)], 1);
+  }
+}
+
+/// Asks for a block that comes later.
+inline void prefetch_block(const ContactBlock& block) {
+  const char* line = reinterpret_cast<const char*>(&block);
+  for (std::size_t k = 0; k < sizeof(ContactBlock); k += 64) __builtin_prefetch(line + k, 1);
+}
+
+#ifdef __AVX512F__
+
+using Eight = double __attribute__((vector_size(64), may_alias));
+using Four = double __attribute__((vector_size(32), may_alias));
+
+/// {a, a}, loaded at once.
+inline Eight twice(const Four& a) { return _mm512_maskz_broadcast_f64x4(0xff, a); }
+
+// Steps of a transposition. "Part": 128 bits, two numbers.
+
+/// The first (second) number of each part of a and b in turn.
+inline Eight first_of_parts(Eight a, Eight b) {
+  return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
+}
+inline Eight second_of_parts(Eight a, Eight b) {
+  return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+}
+/// The even (odd) parts of a and b in turn.
+inline Eight even_parts(Eight a, Eight b) {
+  return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
+}
+inline Eight odd_parts(Eight a, Eight b) {
+  return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
+}
+/// The lower (upper) halves of a and b.
+inline Eight lower_halves(Eight a, Eight b) {
+  return __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11);
+}
+inline Eight upper_halves(Eight a, Eight b) {
+  return __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
+}
+
+/// Four rows r[0..3]: out[c] holds the numbers c and c + 4 of all of them, {r[.][c], r[.][c + 4]}.
+inline void transpose_halves(Eight r0, Eight r1, Eight r2, Eight r3, Eight (&out)[4]) {
+  const Eight even_01 = first_of_parts(r0, r1);
+  const Eight odd_01 = second_of_parts(r0, r1);
+  const Eight even_23 = first_of_parts(r2, r3);
+  const Eight odd_23 = second_of_parts(r2, r3);
+  out[0] = even_parts(even_01, even_23);
+  out[1] = even_parts(odd_01, odd_23);
+  out[2] = odd_parts(even_01, even_23);
+  out[3] = odd_parts(odd_01, odd_23);
+}
+
+/// Column c of eight rows goes to out + c * stride.
+inline void transpose(const Eight (&row)[8], double* out, int columns) {
+  Eight upper[4];
+  Eight lower[4];
+  transpose_halves(row[0], row[1], row[2], row[3], upper);
+  transpose_halves(row[4], row[5], row[6], row[7], lower);
+  for (int c = 0; c < columns; ++c) {
+    *reinterpret_cast<Eight*>(out + c * lanes) =
+        c < 4 ? lower_halves(upper[c], lower[c]) : upper_halves(upper[c - 4], lower[c - 4]);
+  }
+}
+
+inline void gather_records(const ContactBlock& block,
+                           const Particles& particles,
+                           Relative& relative) {
+  const auto* motion = reinterpret_cast<const Eight*>(particles.motion.data());
+  const auto* spin = reinterpret_cast<const Four*>(particles.spin.data());
+  const Eight sign{1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0};
+  constexpr int motion_columns = 6;
+  constexpr int spin_columns = 8;
+  for (int lane = 0; lane < lanes; lane += 8) {
+    Eight motions[8];
+    Eight spins[8];
+#pragma GCC unroll 8
+    for (int k = 0; k < 8; ++k) {
+      const auto i = block.i[lane + k];
+      const auto j = block.j[lane + k];
+      motions[k] = motion[i] - motion[j];
+      spins[k] = twice(spin[i]) + sign * twice(spin[j]);
+    }
+    transpose(motions, &relative.x[0][lane], motion_columns);
+    transpose(spins, &relative.sum_w[0][lane], spin_columns);
+  }
+}
+
+inline void scatter(const ContactBlock& block, const Forces& forces, Particles& particles) {
+  auto* load = reinterpret_cast<Eight*>(particles.load.data());
+  for (int lane = 0; lane < lanes; lane += 8) {
+    const auto rows = [lane](const double(&a)[3][lanes], Eight(&out)[4]) {
+      const auto at = [&](int c) { return *reinterpret_cast<const Eight*>(&a[c][lane]); };
+      transpose_halves(at(0), at(1), at(2), Eight{}, out);  // {contact k, contact k + 4}
+    };
+    Eight force[4];
+    Eight torque_i[4];
+    Eight torque_j[4];
+    rows(forces.force, force);
+    rows(forces.torque_i, torque_i);
+    rows(forces.torque_j, torque_j);
+    for (auto& torque : torque_j) torque = -torque;
+#pragma GCC unroll 8
+    for (int k = 0; k < 8; ++k) {
+      const auto row = [k](const Eight(&a)[4], const Eight(&b)[4]) {
+        return k < 4 ? lower_halves(a[k], b[k]) : upper_halves(a[k - 4], b[k - 4]);
+      };
+      load[block.i[lane + k]] += row(force, torque_i);
+      load[block.j[lane + k]] -= row(force, torque_j);
+    }
+  }
+}
+
+#else
+
+inline void gather_records(const ContactBlock& block,
+                           const Particles& particles,
+                           Relative& relative) {
+  const Motion* motion = particles.motion.data();
+  const Spin* spin = particles.spin.data();
+  for (int lane = 0; lane < lanes; ++lane) {
+    const auto i = block.i[lane];
+    const auto j = block.j[lane];
+    put(relative.x, lane, motion[i].x - motion[j].x);
+    put(relative.v, lane, motion[i].v - motion[j].v);
+    put(relative.sum_w, lane, spin[i].w + spin[j].w);
+    put(relative.diff_w, lane, spin[i].w - spin[j].w);
+    relative.mean_r[lane] = spin[i].half_radius + spin[j].half_radius;
+    relative.half_diff_r[lane] = spin[i].half_radius - spin[j].half_radius;
+  }
+}
+
+inline void scatter(const ContactBlock& block, const Forces& forces, Particles& particles) {
+  Load* load = particles.load.data();
+  for (int lane = 0; lane < lanes; ++lane) {
+    Load& i = load[block.i[lane]];
+    Load& j = load[block.j[lane]];
+    const Vec3 force = get(forces.force, lane);
+    i.force += force;
+    i.torque += get(forces.torque_i, lane);
+    j.force -= force;
+    j.torque += get(forces.torque_j, lane);
+  }
+}
+
+#endif
+
+/// Relative motion of the pairs of a block; images of j are shifted by whole box lengths.
+inline void gather(const ContactBlock& block,
+                   const Particles& particles,
+                   const Vec3& box,
+                   Relative& relative) {
+  gather_records(block, particles, relative);
+  const double size[3] = {box.x, box.y, box.z};
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int lane = 0; lane < lanes; ++lane) {
+      relative.x[axis][lane] -= size[axis] * block.image[axis][lane];
+    }
+  }
+}
+
+}  // namespace packbed::dem
