@@ -30,6 +30,10 @@ void make_run_folder(const std::filesystem::path& folder, bool overwrite) {
                     folder.string()));
   }
   std::error_code failed;
+  // Nothing of an earlier run may stand beside what this one writes.
+  for (const auto* old : {"summary.json", "series.csv", "case.toml", "run.log", "frames"}) {
+    std::filesystem::remove_all(folder / old, failed);
+  }
   std::filesystem::create_directories(folder, failed);
   if (failed) {
     throw DataError(
@@ -70,7 +74,7 @@ void report(const setup::Case& c,
 }
 
 // Below this a rank waits for its neighbors more than it works.
-constexpr double fewest_grains_per_rank = 4000.0;
+constexpr double fewest_grains_per_rank = 20000.0;
 
 int useful_ranks(double grains) {
   const auto cores = static_cast<int>(std::thread::hardware_concurrency());
@@ -92,6 +96,8 @@ void start_ranks(int ranks, const RunCommand& command) {
   std::vector<char*> arguments;
   for (auto& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
+  // mpiexec puts a pipe where the terminal was.
+  if (isatty(STDERR_FILENO) == 1) setenv("PACKBED_PROGRESS", "1", 1);
   // Open MPI refuses root, as whom packbed may well run in a container, unless told twice.
   setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 0);
   setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 0);

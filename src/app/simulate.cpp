@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <cstdlib>
 #include <fstream>
-#include <numbers>
 #include <optional>
 
 #include <fmt/format.h>
@@ -13,6 +12,8 @@
 
 #include "column/protocol/run_step.hpp"
 #include "core/error.hpp"
+#include "core/file.hpp"
+#include "core/version.hpp"
 #include "io/bead_csv.hpp"
 #include "io/series.hpp"
 #include "setup/make_dem.hpp"
@@ -121,7 +122,7 @@ class Outputs {
                       .w = as_array(s.w[i]),
                       .diameter = p.diameter,
                       .fixed = p.fixed,
-                      .density = p.mass / (std::numbers::pi / 6.0 * std::pow(p.diameter, 3)),
+                      .density = p.density,
                       .youngs_modulus = p.material.youngs_modulus,
                       .poisson_ratio = p.material.poisson_ratio,
                       .force = as_array(s.force[i]),
@@ -131,7 +132,7 @@ class Outputs {
   }
 
   void show_progress(const dem::Dem& dem) {
-    const bool terminal = isatty(STDERR_FILENO) == 1;
+    const bool terminal = isatty(STDERR_FILENO) == 1 || std::getenv("PACKBED_PROGRESS") != nullptr;
     const double done =
         steps_ > 0 ? static_cast<double>(dem.steps()) / static_cast<double>(steps_) : 1.0;
     const double spent = seconds_since(start_);
@@ -175,6 +176,33 @@ void check_resolution(const setup::Case& c, const dem::StepChoice& choice) {
                   choice.contact_time / dem::fewest_steps_per_contact));
 }
 
+std::string log_of(const setup::Case& c,
+                   const dem::StepChoice& choice,
+                   const std::vector<column::RunPlan>& plans,
+                   const RunSummary& s) {
+  std::string text = fmt::format("packbed {}, case {}\n", version, c.file.string());
+  text += fmt::format("{} beads on {} ranks\n", c.beads.table.size(), Ranks::all().size());
+  text +=
+      fmt::format("inertia scale {}{}\n", s.inertia_scale,
+                  c.numerics.inertia_scale ? "" : " (auto: beads of a step \"run\" move freely)");
+  text += fmt::format(
+      "time step {:.6g} s ({}); shortest contact {:.6g} s; stable in a bed up to about "
+      "{:.6g} s\n",
+      choice.step, c.numerics.step ? "given" : "recommended", choice.contact_time,
+      choice.stable_in_a_bed);
+  for (std::size_t k = 0; k < plans.size(); ++k) {
+    text +=
+        fmt::format("stage {}: run, {} steps of {:.6g} s\n", k + 1, plans[k].steps, plans[k].step);
+  }
+  const double rate = static_cast<double>(s.steps) * static_cast<double>(c.beads.table.size()) /
+                      std::max(s.wall_time, 1e-9);
+  text += fmt::format(
+      "done: {:.6g} s simulated, {} renewals of the list of pairs, {:.3g} s wall time, "
+      "{:.3g} million particle-steps/s with outputs\n",
+      s.simulated_time, s.renewals, s.wall_time, rate * 1e-6);
+  return text;
+}
+
 }  // namespace
 
 bool can_simulate(const setup::Case& c) { return c.beads.csv && only_runs(c.protocol); }
@@ -202,6 +230,8 @@ RunSummary simulate(const setup::Case& c, const std::filesystem::path& folder) {
   summary.step = plans.empty() ? choice.step : plans.back().step;
   summary.inertia_scale = c.numerics.inertia_scale.value_or(1.0);
   summary.wall_time = seconds_since(start);
+  if (Ranks::all().is_first())
+    write_text_file(folder / "run.log", log_of(c, choice, plans, summary));
   return summary;
 }
 

@@ -335,7 +335,14 @@ void Dem::check_overlaps() const {
 }
 
 StableStep Dem::stable() const {
-  return stable_step(options_.model, particles_, contacts_, walls_, wall_contacts_);
+  const auto here = stable_step(options_.model, particles_, contacts_, walls_, wall_contacts_);
+  const auto count = static_cast<std::size_t>(ranks_.size());
+  StableStep limit = here;
+  for (const auto& part : ranks_.exchange(std::vector<std::vector<StableStep>>(count, {here}))) {
+    const auto& other = part[0];
+    if (std::pair(other.step, other.bead) < std::pair(limit.step, limit.bead)) limit = other;
+  }
+  return limit;
 }
 
 }  // namespace packbed::dem

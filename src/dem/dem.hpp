@@ -72,6 +72,7 @@ class Dem {
   [[nodiscard]] Snapshot snapshot() const;
   /// Throws DivergenceError for the first overlap beyond the limit. The driver asks at every output.
   void check_overlaps() const;
+  /// Of the beads of all ranks; all call it.
   [[nodiscard]] StableStep stable() const;
   /// [s]; a product, so that a long run does not add up rounding errors.
   [[nodiscard]] double time() const {

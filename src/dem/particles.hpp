@@ -40,6 +40,7 @@ struct alignas(64) Load {
 struct BeadProperties {
   std::int64_t id = 0;
   double diameter = 0.0;  ///< [m]
+  double density = 0.0;   ///< [kg/m3]
   double mass = 0.0;      ///< true mass [kg]
   double weight = 0.0;    ///< weight less buoyancy, downwards [N]
   Material material;

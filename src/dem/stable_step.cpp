@@ -83,14 +83,15 @@ StableStep stable_step(const ContactModel& model,
   StableStep limit{.step = std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i < sums.size(); ++i) {
     const double inv_mass = particles.motion[i].inv_mass;
-    if (inv_mass == 0.0) continue;
+    if (inv_mass == 0.0 || !particles.is_own(i)) continue;
     if (sums[i].single_step < limit.step) {
-      limit = {sums[i].single_step, particles.properties[i].id, sums[i].contacts, "single contact"};
+      limit = {sums[i].single_step, particles.properties[i].id, sums[i].contacts,
+               particles.motion[i].x, false};
     }
     const double rotation = inv_mass / 0.4;
     const double step = largest_step(sums[i].k * rotation, sums[i].gamma * rotation);
     if (step < limit.step) {
-      limit = {step, particles.properties[i].id, sums[i].contacts, "rotation"};
+      limit = {step, particles.properties[i].id, sums[i].contacts, particles.motion[i].x, true};
     }
   }
   return limit;

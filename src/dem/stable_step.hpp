@@ -5,7 +5,6 @@
 /// The largest time step at which a bed of beads stays at rest.
 
 #include <cstdint>
-#include <string_view>
 
 #include "dem/force_pass.hpp"
 
@@ -13,10 +12,11 @@ namespace packbed::dem {
 
 /// The bead that limits the step, and how.
 struct StableStep {
-  double step;                 ///< [s]; infinite if nothing touches
-  std::int64_t bead = -1;      ///< id of the bead that limits it
-  int contacts = 0;            ///< that this bead has
-  std::string_view mode = "";  ///< "rotation" or "single contact"
+  double step;             ///< [s]; infinite if nothing touches
+  std::int64_t bead = -1;  ///< id of the bead that limits it
+  int contacts = 0;        ///< that this bead has
+  Vec3 x = {};             ///< where it is [m]
+  bool of_all = false;     ///< all its contacts together limit it, not a single one
 };
 
 /// The smaller of, for each bead,

@@ -89,6 +89,7 @@ dem::BeadProperties properties(const Case& c,
   dem::BeadProperties p;
   p.id = id;
   p.diameter = diameter;
+  p.density = density;
   p.mass = density * volume;
   p.weight = c.numerics.gravity ? (density - displaced) * volume * gravity : 0.0;
   p.material = material;

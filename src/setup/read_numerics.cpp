@@ -20,8 +20,12 @@ NumericsOptions read_numerics(Section section) {
 
 OutputOptions read_output(Section section, const std::filesystem::path& case_file) {
   OutputOptions output{};
-  output.directory = section.word(
-      "directory", Fallback{(std::filesystem::path("runs") / case_file.stem()).string()});
+  // Many cases are called case.toml and told apart by their folder.
+  const auto stem = case_file.stem();
+  const auto parent = std::filesystem::absolute(case_file).parent_path().filename();
+  const auto name = stem == "case" && !parent.empty() ? parent : stem;
+  output.directory =
+      section.word("directory", Fallback{(std::filesystem::path("runs") / name).string()});
   output.interval =
       section.quantity("interval", Dimension::time, bounds::positive, Fallback{"10 ms"});
   output.beads_csv = section.boolean("beads_csv", false);

@@ -59,7 +59,8 @@ TEST_F(ReadCase, FillsInTheLibraryAndTheDefaults) {
   EXPECT_FALSE(c.numerics.inertia_scale);
   EXPECT_EQ(c.numerics.seed, 1U);
   EXPECT_TRUE(c.numerics.gravity);
-  EXPECT_EQ(c.output.directory, "runs/case");
+  EXPECT_EQ(read_case_text(slice_of_sep, "/a/my.toml", units_).output.directory, "runs/my");
+  EXPECT_EQ(read_case_text(slice_of_sep, "/a/b/case.toml", units_).output.directory, "runs/b");
 }
 
 TEST_F(ReadCase, TakesTheUsersValueBeforeTheLibrarys) {

@@ -15,10 +15,13 @@ void check_stable(const dem::Dem& dem, double step) {
   const auto limit = dem.stable();
   if (step <= limit.step) return;
   throw DivergenceError(fmt::format(
-      "step {}, time {:.6g} s: numerics.step = {:.4g} s is above the stable step {:.4g} s, which "
+      "step {}, time {:.6g} s: the time step {:.4g} s is above the stable one, {:.4g} s, which "
       "bead {} "
-      "with {} contacts sets by its {}; take a smaller step, or numerics.force_step = true",
-      dem.steps(), dem.time(), step, limit.step, limit.bead, limit.contacts, limit.mode));
+      "at ({:.6g}, {:.6g}, {:.6g}) mm with {} contacts sets ({}); give a smaller numerics.step, or "
+      "numerics.force_step = true",
+      dem.steps(), dem.time(), step, limit.step, limit.bead, 1e3 * limit.x.x, 1e3 * limit.x.y,
+      1e3 * limit.x.z, limit.contacts,
+      limit.of_all ? "all of them together" : "by the stiffest of them alone"));
 }
 
 }  // namespace
