@@ -150,7 +150,6 @@ TEST(CarryOver, TurnsThePairAroundWhenTheOrderOfItsBeadsChanges) {
   EXPECT_EQ(pairs[0].history.spring, (Vec3{-1, -2, -3}));
 }
 
-// Blocks are filled up with dummies; up to 31 of them in front must not change a bit either.
 TEST(ContactList, GivesItsPairsBack) {
   const auto p = make_particles(random_beads(200, 0.0), 1.0);
   std::vector<PairContact> pairs;
@@ -166,6 +165,49 @@ TEST(ContactList, GivesItsPairsBack) {
     EXPECT_EQ(std::tuple(back[k].i, back[k].j, back[k].image, back[k].history.angle.x),
               std::tuple(pairs[k].i, pairs[k].j, pairs[k].image, static_cast<double>(k)));
   }
+}
+
+// Blocks begin elsewhere when dummies stand in front of the list; a bead's sum must not notice.
+TEST(ContactForces, DoNotDependOnWhereBlocksBegin) {
+  const auto domain = box(true, true, true);
+  const auto particles = make_particles(random_beads(1000, 5.0), 1.0);
+  const ContactModel model{
+      .contact = hooke(0.5, false), .rolling = ElasticPlastic{0.3}, .friction = 0.3};
+  std::vector<PairContact> pairs;
+  for (const auto& key : find_pairs(particles, domain, 10e-6)) {
+    pairs.push_back({key, {.a = 100.0, .b = 1e-4}, {.spring = {1e-7, 0, 2e-7}, .angle = {}}});
+  }
+  ASSERT_GT(pairs.size(), 100U);
+  const auto loads = [&](std::size_t dummies) {
+    PairContact none;
+    none.i = 1000;
+    none.j = 1001;
+    std::vector<PairContact> all(dummies, none);
+    all.insert(all.end(), pairs.begin(), pairs.end());
+    ContactList list(all, domain, 1000);
+    auto p = particles;
+    add_contact_forces(model, list, p, 1e-8);
+    std::vector<Vec3> sums;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      sums.push_back(p.load[i].force);
+      sums.push_back(p.load[i].torque);
+    }
+    return sums;
+  };
+  const auto expected = loads(0);
+  for (const std::size_t dummies : {1U, 7U, 8U, 31U}) EXPECT_EQ(loads(dummies), expected);
+}
+
+// Two lists: what is listed near may be fewer than what the skin takes in, and never misses a touch.
+TEST(Renewal, NarrowsTheListOfBeadsAtRest) {
+  std::vector<BeadStart> beads;
+  for (int i = 0; i < 10; ++i) beads.push_back(bead(i, {i * (diameter_s + 5e-6), 0, 0}));
+  auto o = options(hooke(0.5), 1e-7);
+  o.skin = 10e-6;
+  Dem dem(o, beads, {});
+  dem.run(200);
+  EXPECT_EQ(dem.contacts().size(), 0U);
+  EXPECT_EQ(dem.renewals(), 1);
 }
 
 }  // namespace
