@@ -134,7 +134,8 @@ void Dem::renew_if_needed() {
   const bool walls_hold = far_moved_ + moved_ + walls_moved_ < options_.skin;
   const bool lists_hold = 2.0 * moved_ < near_skin_ && walls_hold;
   const double skin = adapted_near_skin();
-  const bool too_wide = (steps_ - near_listed_) % steps_to_look == 0 && skin < 0.6 * near_skin_;
+  const std::int64_t lasted = steps_ - near_listed_;
+  const bool too_wide = lasted > 0 && lasted % steps_to_look == 0 && skin < 0.6 * near_skin_;
   if (lists_hold && !too_wide) return;
   near_skin_ = skin;
   far_moved_ = far_displacement();

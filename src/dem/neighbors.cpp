@@ -34,7 +34,10 @@ std::vector<Pair> sorted(const std::vector<Pair>& pairs, std::size_t beads) {
 class Grid {
  public:
   Grid(const Particles& particles, const Domain& domain, double width) : domain_(domain) {
-    for (std::size_t axis = 0; axis < 3; ++axis) lay_out(particles, axis, width);
+    do {  // beads far apart get wider cells, not empty ones
+      for (std::size_t axis = 0; axis < 3; ++axis) lay_out(particles, axis, width);
+      width *= 1.5;
+    } while (cells() > 8 * particles.size() + 1000);
     sort_beads(particles);
   }
 
@@ -72,6 +75,11 @@ class Grid {
   }
 
  private:
+  [[nodiscard]] std::size_t cells() const {
+    return static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]) *
+           static_cast<std::size_t>(count_[2]);
+  }
+
   void lay_out(const Particles& particles, std::size_t axis, double width) {
     double low = domain_.low[axis];
     double size = domain_.size[axis];
@@ -105,10 +113,7 @@ class Grid {
   }
 
   void sort_beads(const Particles& particles) {
-    start_.assign(static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]) *
-                          static_cast<std::size_t>(count_[2]) +
-                      1,
-                  0);
+    start_.assign(cells() + 1, 0);
     std::vector<std::size_t> home(particles.size());
     for (std::size_t i = 0; i < home.size(); ++i) {
       const auto x = as_array(particles.motion[i].x);

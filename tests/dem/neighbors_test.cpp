@@ -150,7 +150,6 @@ TEST(CarryOver, TurnsThePairAroundWhenTheOrderOfItsBeadsChanges) {
   EXPECT_EQ(pairs[0].history.spring, (Vec3{-1, -2, -3}));
 }
 
-// Blocks are filled up with dummies; up to 31 of them in front must not change a bit either.
 TEST(ContactList, GivesItsPairsBack) {
   const auto p = make_particles(random_beads(200, 0.0), 1.0);
   std::vector<PairContact> pairs;
@@ -193,6 +192,18 @@ TEST(ContactForces, DoNotDependOnWhereBlocksBegin) {
     if (front == 0) expected = loads;
     EXPECT_EQ(std::memcmp(loads.data(), expected.data(), loads.size() * sizeof(Load)), 0) << front;
   }
+}
+
+// Two lists: what is listed near may be fewer than what the skin takes in, and never misses a touch.
+TEST(Renewal, NarrowsTheListOfBeadsAtRest) {
+  std::vector<BeadStart> beads;
+  for (int i = 0; i < 10; ++i) beads.push_back(bead(i, {i * (diameter_s + 5e-6), 0, 0}));
+  auto o = options(hooke(0.5), 1e-7);
+  o.skin = 10e-6;
+  Dem dem(o, beads, {});
+  dem.run(200);
+  EXPECT_EQ(dem.contacts().size(), 0U);
+  EXPECT_EQ(dem.renewals(), 1);
 }
 
 }  // namespace
