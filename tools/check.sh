@@ -37,7 +37,7 @@ changed() {
   fi
 }
 mapfile -t files < <(changed)
-mapfile -t sources < <(printf '%s\n' "${files[@]}" | grep '\.cpp$')
+mapfile -t sources < <(printf '%s\n' "${files[@]}" | grep '\.cpp$' | grep -v '^benchmarks/')
 failed=0
 run() {
   printf 'check: %s\n' "$1" >&2

@@ -94,6 +94,7 @@ void start_ranks(int ranks, const RunCommand& command) {
   words.emplace_back("--overwrite");  // asked and answered here
   if (command.json) words.emplace_back("--json");
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (auto& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   // mpiexec puts a pipe where the terminal was.

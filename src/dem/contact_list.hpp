@@ -22,7 +22,7 @@ struct PairKey {
   std::int32_t i = 0;
   std::int32_t j = 0;
   Image image{};
-  auto operator<=>(const PairKey&) const = default;
+  auto operator<=>(const PairKey&) const = default;  // NOLINT(modernize-use-nullptr): no pointer
 };
 
 /// One pair.
@@ -62,7 +62,7 @@ class ContactList {
   [[nodiscard]] PairContact pair(std::size_t k) const;
   [[nodiscard]] std::vector<PairContact> pairs() const;
 
-  AlignedVector<ContactBlock> blocks;
+  AlignedVector<ContactBlock> blocks{};
 
  private:
   std::size_t size_ = 0;

@@ -22,16 +22,16 @@ namespace packbed::dem {
 
 /// A contact known by the ids of its beads; signs and image as seen from bead i.
 struct NamedContact {
-  std::int64_t id_i;
-  std::int64_t id_j;
-  Image image;
+  std::int64_t id_i = 0;
+  std::int64_t id_j = 0;
+  Image image{};
   Coefficients coefficients;
   History history;
 };
 
 struct NamedWallContact {
-  std::int64_t id;
-  std::int32_t wall;
+  std::int64_t id = 0;
+  std::int32_t wall = 0;
   Coefficients coefficients;
   History history;
 };
@@ -41,7 +41,7 @@ struct NamedBead {
   Motion motion;
   Spin spin;
   BeadProperties properties;
-  std::int32_t owner;
+  std::int32_t owner = 0;
 };
 
 /// Everything that a rank takes over a renewal.

@@ -52,6 +52,7 @@ constexpr std::size_t bead_lead = 1;
 constexpr std::size_t block_lead = 4;
 
 template <class Law, class Rolling>
+// NOLINTNEXTLINE(readability-function-size): what a pass takes
 void add_forces(const Law& law,
                 const Rolling& rolling,
                 double mu,
@@ -60,8 +61,8 @@ void add_forces(const Law& law,
                 std::size_t first,
                 std::size_t last,
                 Particles& particles) {
-  Relative relative;
-  Forces forces;
+  Relative relative;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled before it is read
+  Forces forces;      // NOLINT(cppcoreguidelines-pro-type-member-init)
   const std::size_t ahead =  // blocks up to here have others far enough behind them
       particles.size() > beads_in_cache ? std::max(contacts.blocks.size(), block_lead) - block_lead
                                         : 0;

@@ -43,7 +43,7 @@ class Grid {
 
   struct Bead {
     Vec3 x;
-    double radius;
+    double radius = 0.0;
   };
 
   /// Calls visit(j, bead j, image) for every bead and image in the cells within reach of x.
@@ -60,12 +60,12 @@ class Grid {
     for (int z = first[2]; z <= last[2]; ++z) {
       const int slab = around(2, z, image) * count_[1];
       for (int y = first[1]; y <= last[1]; ++y) {
-        const int row = (slab + around(1, y, image)) * count_[0];
+        const std::size_t row = row_start(slab + around(1, y, image));
         for (int c = first[0]; c <= last[0];) {  // cells of one image stand side by side
           const int begin = around(0, c, image);
           const int end = std::min(begin + last[0] - c, count_[0] - 1);
-          const auto k_end = start_[static_cast<std::size_t>(row + end) + 1];
-          for (auto k = start_[static_cast<std::size_t>(row + begin)]; k < k_end; ++k) {
+          const auto k_end = start_[row + static_cast<std::size_t>(end) + 1];
+          for (auto k = start_[row + static_cast<std::size_t>(begin)]; k < k_end; ++k) {
             visit(place_[k], beads_[k], image);
           }
           c += end - begin + 1;
@@ -112,6 +112,11 @@ class Grid {
     return c - turns * n;
   }
 
+  /// First cell of a row along x.
+  [[nodiscard]] std::size_t row_start(int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(count_[0]);
+  }
+
   void sort_beads(const Particles& particles) {
     start_.assign(cells() + 1, 0);
     std::vector<std::size_t> home(particles.size());
@@ -120,8 +125,7 @@ class Grid {
       const auto inside = [&](std::size_t axis) {
         return std::clamp(cell(axis, x[axis]), 0, count_[axis] - 1);
       };
-      home[i] =
-          static_cast<std::size_t>((inside(2) * count_[1] + inside(1)) * count_[0] + inside(0));
+      home[i] = row_start(inside(2) * count_[1] + inside(1)) + static_cast<std::size_t>(inside(0));
       ++start_[home[i] + 1];
     }
     std::partial_sum(start_.begin(), start_.end(), start_.begin());

@@ -17,15 +17,15 @@ namespace packbed::dem {
 
 /// Velocities belong to half steps while a run is under way (dem/dem.hpp).
 struct alignas(64) Motion {
-  Vec3 x;              ///< center [m]
-  Vec3 v;              ///< [m/s]
-  double inv_mass;     ///< 1 / (inertia scale m) [1/kg]; 0 for a fixed bead
-  double inv_inertia;  ///< 1 / (inertia scale I) [1/(kg m2)]; 0 for a fixed bead
+  Vec3 x;                    ///< center [m]
+  Vec3 v;                    ///< [m/s]
+  double inv_mass = 0.0;     ///< 1 / (inertia scale m) [1/kg]; 0 for a fixed bead
+  double inv_inertia = 0.0;  ///< 1 / (inertia scale I) [1/(kg m2)]; 0 for a fixed bead
 };
 
 struct alignas(32) Spin {
-  Vec3 w;              ///< [rad/s]
-  double half_radius;  ///< R / 2 [m]
+  Vec3 w;                    ///< [rad/s]
+  double half_radius = 0.0;  ///< R / 2 [m]
 };
 
 /// Forces and torques of a step, gathered; between steps the weight alone.
@@ -48,13 +48,13 @@ struct BeadProperties {
 };
 
 struct Particles {
-  AlignedVector<Motion> motion;
-  AlignedVector<Spin> spin;
-  AlignedVector<Load> load;
-  AlignedVector<Vec3> reference;  ///< centers when pairs were last listed
-  std::vector<BeadProperties> properties;
-  std::vector<std::int32_t> owner;  ///< rank that owns the bead
-  std::int32_t rank = 0;            ///< this one
+  AlignedVector<Motion> motion{};
+  AlignedVector<Spin> spin{};
+  AlignedVector<Load> load{};
+  AlignedVector<Vec3> reference{};  ///< centers when pairs were last listed
+  std::vector<BeadProperties> properties{};
+  std::vector<std::int32_t> owner{};  ///< rank that owns the bead
+  std::int32_t rank = 0;              ///< this one
 
   [[nodiscard]] bool is_own(std::size_t i) const { return owner[i] == rank; }
   /// Own and halo beads, without the two dummies.

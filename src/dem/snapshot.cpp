@@ -11,7 +11,7 @@ namespace {
 
 /// What a bead tells of itself.
 struct Row {
-  std::int64_t id;
+  std::int64_t id = 0;
   Vec3 x, v, w, force, torque;
 };
 

@@ -12,7 +12,7 @@ namespace packbed::dem {
 
 /// The bead that limits the step, and how.
 struct StableStep {
-  double step;             ///< [s]; infinite if nothing touches
+  double step = 0.0;       ///< [s]; infinite if nothing touches
   std::int64_t bead = -1;  ///< id of the bead that limits it
   int contacts = 0;        ///< that this bead has
   Vec3 x = {};             ///< where it is [m]

@@ -45,8 +45,8 @@ struct Wall {
 
 /// Where a bead stands to a wall.
 struct WallDistance {
-  double distance;  ///< of the center from the surface, positive inside [m]
-  Vec3 normal;      ///< unit vector from the wall towards the bead
+  double distance = 0.0;  ///< of the center from the surface, positive inside [m]
+  Vec3 normal;            ///< unit vector from the wall towards the bead
 };
 WallDistance distance_to(const Wall& wall, const Vec3& x);
 

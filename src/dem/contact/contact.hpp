@@ -27,9 +27,9 @@ namespace packbed::dem {
 /// Two bodies that may touch. A wall is body j with infinite radius and mass.
 struct Pair {
   Material i, j;
-  double r_eff;     ///< R* [m]
-  double m_eff;     ///< m*, true mass [kg]
-  double m_scaled;  ///< m* of the masses that move: times the inertia scale [kg]
+  double r_eff = 0.0;     ///< R* [m]
+  double m_eff = 0.0;     ///< m*, true mass [kg]
+  double m_scaled = 0.0;  ///< m* of the masses that move: times the inertia scale [kg]
 };
 
 /// Three numbers that a law works out once per pair and that the contact list keeps with it.

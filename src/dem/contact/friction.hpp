@@ -16,11 +16,11 @@ namespace packbed::dem {
 /// Relative motion of two bodies; signs in contact.hpp.
 struct Kinematics {
   Vec3 normal;
-  double overlap;  ///< [m]
-  Vec3 velocity;   ///< v_i - v_j [m/s]
-  Vec3 surface;    ///< c_i w_i + c_j w_j [m/s]
-  Vec3 spin;       ///< w_i - w_j [rad/s]
-  double r_eff;    ///< R* [m]
+  double overlap = 0.0;  ///< [m]
+  Vec3 velocity;         ///< v_i - v_j [m/s]
+  Vec3 surface;          ///< c_i w_i + c_j w_j [m/s]
+  Vec3 spin;             ///< w_i - w_j [rad/s]
+  double r_eff = 0.0;    ///< R* [m]
 };
 
 /// Springs of one contact, carried from step to step.

@@ -23,8 +23,8 @@ namespace packbed::dem {
 struct HertzMindlin {
   static constexpr std::string_view name = "hertz";
 
-  double restitution;    ///< e, (0, 1]
-  bool tension = false;  ///< whether the damped force may pull
+  double restitution = 0.0;  ///< e, (0, 1]
+  bool tension = false;      ///< whether the damped force may pull
 
   /// a = 4/3 Y* sqrt(R*) [N/m^1.5], b = gamma_n / overlap^(1/4), c = k_t / k_n = 6 G* / Y*.
   [[nodiscard]] Coefficients coefficients(const Pair& pair) const {

@@ -25,9 +25,9 @@ namespace packbed::dem {
 struct Hooke {
   static constexpr std::string_view name = "hooke";
 
-  double characteristic_velocity;  ///< V [m/s]
-  double restitution;              ///< e, (0, 1]
-  bool tension = false;            ///< whether the damped force may pull
+  double characteristic_velocity = 0.0;  ///< V [m/s]
+  double restitution = 0.0;              ///< e, (0, 1]
+  bool tension = false;                  ///< whether the damped force may pull
 
   /// a = k_n [N/m], b = gamma [kg/s].
   [[nodiscard]] Coefficients coefficients(const Pair& pair) const {

@@ -24,10 +24,10 @@ namespace packbed::dem {
 struct ViscousHooke {
   static constexpr std::string_view name = "hooke_viscous";
 
-  double characteristic_velocity;  ///< V [m/s]
-  double restitution_max;          ///< e_max, (0, 1]
-  double critical_stokes;          ///< St_c
-  double viscosity;                ///< eta of the liquid [Pa s]
+  double characteristic_velocity = 0.0;  ///< V [m/s]
+  double restitution_max = 0.0;          ///< e_max, (0, 1]
+  double critical_stokes = 0.0;          ///< St_c
+  double viscosity = 0.0;                ///< eta of the liquid [Pa s]
   bool tension = false;
 
   /// a = k_n [N/m], b = 2 sqrt(m* k_n) [kg/s], c = St_c |v_n| / St [m/s].
