@@ -56,8 +56,9 @@ if ((${#sources[@]})); then
   run tidy sh -c 'printf "%s\n" "$@" | xargs -P "$(nproc)" -n 1 clang-tidy-14 -p build/tidy --quiet' tidy "${sources[@]}"
 fi
 # missingReturn: cppcheck 2.10 does not know [[noreturn]] members; the compiler does.
+# ctuArrayIndex: it takes vector registers that a function fills for arrays out of bounds.
 run cppcheck cppcheck --std=c++20 --enable=warning,performance,portability --inline-suppr \
-  --error-exitcode=1 --quiet --suppress=missingReturn -I src src
+  --error-exitcode=1 --quiet --suppress=missingReturn --suppress=ctuArrayIndex:src/dem/lanes.hpp -I src src
 run includes python3 tools/check_includes.py src
 ((failed)) && printf 'check: FAILED\n' >&2
 exit "$failed"
