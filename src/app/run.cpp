@@ -59,7 +59,8 @@ void report(const setup::Case& c,
             const setup::CaseFigures& f,
             const std::filesystem::path& folder,
             bool carried_out) {
-  fmt::print("{}: {:.0f} grains, {} protocol steps\n", c.title, f.bead_count, c.protocol.size());
+  fmt::print("{}: {:.0f} grains, {} protocol step{}\n", c.title, f.bead_count, c.protocol.size(),
+             c.protocol.size() == 1 ? "" : "s");
   if (carried_out) {
     fmt::print("Written: {0}/series.csv, {0}/summary.json, {0}/case.toml{1}\n", folder.string(),
                c.output.beads_csv ? ", frames/" : "");
