@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdio>
 #include <functional>
+#include <new>
 #include <thread>
 
 #include <CLI/CLI.hpp>
@@ -122,6 +123,8 @@ int dispatch(int argc, char** argv) {
                   ExitCode::input);
   } catch (const Error& error) {
     return report(error.what(), error.exit_code());
+  } catch (const std::bad_alloc&) {
+    return report("out of memory; take fewer beads, or a computer with more", ExitCode::files);
   }
 }
 

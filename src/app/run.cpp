@@ -11,6 +11,7 @@
 
 #include "app/commands.hpp"
 #include "app/print.hpp"
+#include "app/run_folder.hpp"
 #include "app/simulate.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
@@ -21,25 +22,6 @@
 
 namespace packbed::app {
 namespace {
-
-void make_run_folder(const std::filesystem::path& folder, bool overwrite) {
-  if (!overwrite && std::filesystem::exists(folder / "summary.json")) {
-    throw ConfigError(
-        fmt::format("{}: there are results of an earlier run; take another folder "
-                    "with -o DIR, or replace them with --overwrite",
-                    folder.string()));
-  }
-  std::error_code failed;
-  // Nothing of an earlier run may stand beside what this one writes.
-  for (const auto* old : {"summary.json", "series.csv", "case.toml", "run.log", "frames"}) {
-    std::filesystem::remove_all(folder / old, failed);
-  }
-  std::filesystem::create_directories(folder, failed);
-  if (failed) {
-    throw DataError(
-        fmt::format("{}: the folder cannot be made ({})", folder.string(), failed.message()));
-  }
-}
 
 void add_results(nlohmann::ordered_json& summary, const RunSummary& r) {
   summary["simulated_time_s"] = r.simulated_time;
@@ -62,8 +44,10 @@ void report(const setup::Case& c,
   fmt::print("{}: {:.0f} grains, {} protocol step{}\n", c.title, f.bead_count, c.protocol.size(),
              c.protocol.size() == 1 ? "" : "s");
   if (carried_out) {
-    fmt::print("Written: {0}/series.csv, {0}/summary.json, {0}/case.toml{1}\n", folder.string(),
-               c.output.beads_csv ? ", frames/" : "");
+    if (c.protocol.empty()) fmt::print("The protocol has no steps: the start was written.\n");
+    fmt::print("Written: {0}/series.csv, {0}/summary.json, {0}/case.toml, {0}/run.log{1}\n",
+               folder.string(),
+               c.output.beads_csv ? fmt::format(", {}/frames", folder.string()) : "");
     return;
   }
   fmt::print(
@@ -85,10 +69,9 @@ int useful_ranks(double grains) {
 /// Starts this run again under mpiexec; returns only if that fails.
 void start_ranks(int ranks, const RunCommand& command) {
   const auto program = std::filesystem::read_symlink("/proc/self/exe").string();
-  std::vector<std::string> words = {"mpiexec", "-q", "-n", fmt::format("{}", ranks)};
-  if (ranks > static_cast<int>(std::thread::hardware_concurrency())) {
-    words.emplace_back("--oversubscribe");
-  }
+  std::vector<std::string> words = {
+      // Open MPI counts cores, not threads of the hardware, and else refuses more ranks than that.
+      "mpiexec", "-q", "--oversubscribe", "-n", fmt::format("{}", ranks)};
   for (const auto& word : {program, std::string("run"), command.file.string()})
     words.push_back(word);
   if (!command.directory.empty()) words.insert(words.end(), {"-o", command.directory});
@@ -118,17 +101,19 @@ int run(const RunCommand& command) {
   const auto f = setup::figures(c);
   const std::filesystem::path folder =
       command.directory.empty() ? c.output.directory : command.directory;
+  std::vector<std::filesystem::path> inputs = {command.file};
+  if (c.beads.csv) inputs.push_back(*c.beads.csv);
   const bool carried_out = can_simulate(c);
   if (carried_out && !MpiSession::is_started()) {
     const int ranks = command.ranks > 0 ? command.ranks : useful_ranks(f.bead_count);
     if (ranks > 1) {
-      make_run_folder(folder, command.overwrite);
+      make_run_folder(folder, command.overwrite, inputs);
       start_ranks(ranks, command);
     }
   }
   const bool writes = Ranks::all().is_first();
   if (writes) {
-    make_run_folder(folder, command.overwrite);
+    make_run_folder(folder, command.overwrite, inputs);
     write_text_file(folder / "case.toml", setup::check_text(c, f));
   }
   nlohmann::ordered_json summary{{"program", "packbed"},

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
-#include <fstream>
+#include <functional>
 #include <optional>
 
 #include <fmt/format.h>
@@ -30,19 +31,31 @@ double seconds_since(Clock::time_point start) {
 /// Ratio of two sums that may both be zero.
 double ratio(double a, double b) { return b > 0.0 ? a / b : 0.0; }
 
-std::vector<column::RunPlan> plans_of(const setup::Case& c, double step) {
-  std::vector<column::RunPlan> plans;
-  const auto add = [&](const auto& self, const std::vector<setup::ProtocolStep>& steps) -> void {
-    for (const auto& s : steps) {
-      if (const auto* run = std::get_if<setup::Run>(&s.what)) {
-        plans.push_back(column::plan_run(run->duration, step, c.output.interval));
-      } else if (const auto* repeat = std::get_if<setup::Repeat>(&s.what)) {
-        for (std::int64_t k = 0; k < repeat->count; ++k) self(self, repeat->steps);
-      }
+/// Calls visit(plan) for every step "run", in their order.
+void for_each_run(const setup::Case& c,
+                  const std::vector<setup::ProtocolStep>& steps,
+                  double step,
+                  const std::function<void(const column::RunPlan&)>& visit) {
+  for (const auto& s : steps) {
+    if (const auto* run = std::get_if<setup::Run>(&s.what)) {
+      visit(column::plan_run(run->duration, step, c.output.interval));
+    } else if (const auto* repeat = std::get_if<setup::Repeat>(&s.what)) {
+      for (std::int64_t k = 0; k < repeat->count; ++k) for_each_run(c, repeat->steps, step, visit);
     }
-  };
-  add(add, c.protocol);
-  return plans;
+  }
+}
+
+/// Time steps of all of them; a double, since there may be any number.
+double steps_of(const setup::Case& c, const std::vector<setup::ProtocolStep>& steps, double step) {
+  double total = 0.0;
+  for (const auto& s : steps) {
+    if (const auto* run = std::get_if<setup::Run>(&s.what)) {
+      total += static_cast<double>(column::plan_run(run->duration, step, c.output.interval).steps);
+    } else if (const auto* repeat = std::get_if<setup::Repeat>(&s.what)) {
+      total += static_cast<double>(repeat->count) * steps_of(c, repeat->steps, step);
+    }
+  }
+  return total;
 }
 
 std::array<double, 3> as_array(const Vec3& a) { return {a.x, a.y, a.z}; }
@@ -52,7 +65,7 @@ class Outputs {
  public:
   Outputs(const setup::Case& c,
           const std::filesystem::path& folder,
-          std::int64_t steps,
+          double steps,
           std::vector<std::string> walls)
       : folder_(folder),
         beads_csv_(c.output.beads_csv),
@@ -67,6 +80,12 @@ class Outputs {
 
   void write(const dem::Dem& dem, std::size_t stage) {
     const auto s = dem.snapshot();
+    if (!std::isfinite(s.kinetic_energy) || !std::isfinite(s.elastic_energy)) {
+      throw DivergenceError(fmt::format(
+          "step {}, time {:.6g} s: the energy of the beads is not a finite number; start them "
+          "slower, or take a smaller step",
+          dem.steps(), s.time));
+    }
     if (!series_) return;  // the first rank writes
     std::vector<io::Cell> row = {s.time,
                                  dem.steps(),
@@ -133,8 +152,7 @@ class Outputs {
 
   void show_progress(const dem::Dem& dem) {
     const bool terminal = isatty(STDERR_FILENO) == 1 || std::getenv("PACKBED_PROGRESS") != nullptr;
-    const double done =
-        steps_ > 0 ? static_cast<double>(dem.steps()) / static_cast<double>(steps_) : 1.0;
+    const double done = steps_ > 0.0 ? static_cast<double>(dem.steps()) / steps_ : 1.0;
     const double spent = seconds_since(start_);
     if (!terminal || (spent - shown_ < 0.2 && done < 1.0)) return;
     shown_ = spent;
@@ -148,7 +166,7 @@ class Outputs {
 
   std::filesystem::path folder_;
   bool beads_csv_;
-  std::int64_t steps_;
+  double steps_;
   std::vector<std::string> walls_;
   std::vector<dem::BeadStart> beads_;  ///< in the order of ids
   std::optional<io::SeriesWriter> series_;
@@ -176,31 +194,27 @@ void check_resolution(const setup::Case& c, const dem::StepChoice& choice) {
                   choice.contact_time / dem::fewest_steps_per_contact));
 }
 
-std::string log_of(const setup::Case& c,
-                   const dem::StepChoice& choice,
-                   const std::vector<column::RunPlan>& plans,
-                   const RunSummary& s) {
+std::string log_head(const setup::Case& c, const dem::StepChoice& choice, double steps) {
   std::string text = fmt::format("packbed {}, case {}\n", version, c.file.string());
   text += fmt::format("{} beads on {} ranks\n", c.beads.table.size(), Ranks::all().size());
   text +=
-      fmt::format("inertia scale {}{}\n", s.inertia_scale,
+      fmt::format("inertia scale {}{}\n", c.numerics.inertia_scale.value_or(1.0),
                   c.numerics.inertia_scale ? "" : " (auto: beads of a step \"run\" move freely)");
   text += fmt::format(
       "time step {:.6g} s ({}); shortest contact {:.6g} s; stable in a bed up to about "
       "{:.6g} s\n",
       choice.step, c.numerics.step ? "given" : "recommended", choice.contact_time,
       choice.stable_in_a_bed);
-  for (std::size_t k = 0; k < plans.size(); ++k) {
-    text +=
-        fmt::format("stage {}: run, {} steps of {:.6g} s\n", k + 1, plans[k].steps, plans[k].step);
-  }
+  return text + fmt::format("{:.0f} time steps to do\n", steps);
+}
+
+std::string log_end(const setup::Case& c, const RunSummary& s) {
   const double rate = static_cast<double>(s.steps) * static_cast<double>(c.beads.table.size()) /
                       std::max(s.wall_time, 1e-9);
-  text += fmt::format(
+  return fmt::format(
       "done: {:.6g} s simulated, {} renewals of the list of pairs, {:.3g} s wall time, "
       "{:.3g} million particle-steps/s with outputs\n",
       s.simulated_time, s.renewals, s.wall_time, rate * 1e-6);
-  return text;
 }
 
 }  // namespace
@@ -211,27 +225,32 @@ RunSummary simulate(const setup::Case& c, const std::filesystem::path& folder) {
   const auto start = Clock::now();
   const auto choice = setup::step_of(c);
   check_resolution(c, choice);
-  const auto plans = plans_of(c, choice.step);
-  std::int64_t total = 0;
-  for (const auto& plan : plans) total += plan.steps;
+  const double total = steps_of(c, c.protocol, choice.step);
+  const bool writes = Ranks::all().is_first();
+  auto log = log_head(c, choice, total);
+  if (writes) write_text_file(folder / "run.log", log);
 
   auto dem = setup::make_dem(c, choice.step, Ranks::all());
   std::vector<std::string> walls;
   for (const auto& wall : dem.walls()) walls.push_back(wall.name);
   Outputs outputs(c, folder, total, walls);
   outputs.write(dem, 0);
-  for (std::size_t k = 0; k < plans.size(); ++k) {
-    column::run_step(dem, plans[k], c.numerics.force_step, [&] { outputs.write(dem, k + 1); });
-  }
+  std::size_t stage = 0;
+  double last_step = choice.step;
+  for_each_run(c, c.protocol, choice.step, [&](const column::RunPlan& plan) {
+    ++stage;
+    last_step = plan.step;
+    column::run_step(dem, plan, c.numerics.force_step, [&] { outputs.write(dem, stage); });
+    log += fmt::format("stage {}: run, {} steps of {:.6g} s\n", stage, plan.steps, plan.step);
+  });
   auto summary = outputs.summary;
   summary.simulated_time = dem.time();
   summary.steps = dem.steps();
   summary.renewals = dem.renewals();
-  summary.step = plans.empty() ? choice.step : plans.back().step;
+  summary.step = last_step;
   summary.inertia_scale = c.numerics.inertia_scale.value_or(1.0);
   summary.wall_time = seconds_since(start);
-  if (Ranks::all().is_first())
-    write_text_file(folder / "run.log", log_of(c, choice, plans, summary));
+  if (writes) write_text_file(folder / "run.log", log + log_end(c, summary));
   return summary;
 }
 

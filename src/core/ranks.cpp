@@ -6,7 +6,10 @@
 #include <limits>
 #include <numeric>
 
+#include <fmt/format.h>
 #include <mpi.h>
+
+#include "core/error.hpp"
 
 namespace packbed {
 namespace {
@@ -22,6 +25,15 @@ bool mpi_runs() {
   MPI_Initialized(&started);
   MPI_Finalized(&ended);
   return started != 0 && ended == 0;
+}
+
+/// MPI counts in int.
+void check_size(const std::vector<std::int64_t>& bytes) {
+  const auto total = std::accumulate(bytes.begin(), bytes.end(), std::int64_t{0});
+  if (total <= std::numeric_limits<int>::max()) return;
+  throw DataError(fmt::format(
+      "a rank would exchange {} bytes at once, more than MPI can count; take more ranks with -n",
+      total));
 }
 
 std::vector<int> offsets(const std::vector<int>& counts) {
@@ -76,10 +88,14 @@ std::vector<std::vector<std::byte>> Ranks::exchange_bytes(
     const std::vector<std::vector<std::byte>>& to_each) const {
   if (size_ == 1) return to_each;
   const auto n = static_cast<std::size_t>(size_);
-  std::vector<int> out_counts(n);
-  std::vector<int> in_counts(n);
-  for (std::size_t r = 0; r < n; ++r) out_counts[r] = static_cast<int>(to_each[r].size());
-  MPI_Alltoall(out_counts.data(), 1, MPI_INT, in_counts.data(), 1, MPI_INT, MPI_COMM_WORLD);
+  std::vector<std::int64_t> out_bytes(n);
+  std::vector<std::int64_t> in_bytes(n);
+  for (std::size_t r = 0; r < n; ++r) out_bytes[r] = static_cast<std::int64_t>(to_each[r].size());
+  MPI_Alltoall(out_bytes.data(), 1, MPI_INT64_T, in_bytes.data(), 1, MPI_INT64_T, MPI_COMM_WORLD);
+  check_size(out_bytes);
+  check_size(in_bytes);
+  const std::vector<int> out_counts(out_bytes.begin(), out_bytes.end());
+  const std::vector<int> in_counts(in_bytes.begin(), in_bytes.end());
   const auto out_starts = offsets(out_counts);
   const auto in_starts = offsets(in_counts);
   std::vector<std::byte> out;

@@ -305,6 +305,7 @@ double Dem::overlap(const PairKey& p) const {
 }
 
 void Dem::check_overlaps() const {
+  check_finite();
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     for (const auto& contact : wall_contacts_[w]) {
       const auto i = static_cast<std::size_t>(contact.bead);

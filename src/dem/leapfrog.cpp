@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dem/leapfrog.hpp"
 
+#include <cassert>
+
 namespace packbed::dem {
 namespace {
 
@@ -20,6 +22,8 @@ Vec3 move_beads(Particles& particles, std::size_t first, std::size_t last, const
   const double push = step.kick / (1.0 + damp);
   Four largest{};
   Four spoiled{};  // a number that is none spoils it
+  // Four numbers are read of each reference: the dummies at the end make that safe.
+  assert(last < particles.reference.size());
   for (std::size_t i = first; i < last; ++i) {
     Motion& m = particles.motion[i];
     Four& w = four(particles.spin[i].w.x);

@@ -194,7 +194,9 @@ std::vector<std::int32_t> key_order(const Particles& particles, const Domain& do
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const auto& x = particles.motion[i].x;
     const auto slab = [&](double a, std::size_t axis) {
-      return static_cast<std::int64_t>(std::floor((a - domain.low[axis]) / cell));
+      constexpr double outermost = 1e15;  // what lies beyond is ordered by x and id
+      return static_cast<std::int64_t>(
+          std::clamp(std::floor((a - domain.low[axis]) / cell), -outermost, outermost));
     };
     keys[i] = {{slab(x.z, 2), slab(x.y, 1), slab(x.x, 0), x.x, particles.properties[i].id},
                static_cast<std::int32_t>(i)};

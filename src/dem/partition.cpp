@@ -7,8 +7,11 @@
 
 namespace packbed::dem {
 
+// Beads that have escaped far away all count as being in the outermost slab.
 std::int64_t Partition::slab(double a, std::size_t axis) const {
-  return static_cast<std::int64_t>(std::floor((a - domain_.low[axis]) / cell_));
+  constexpr double outermost = 1e6;
+  return static_cast<std::int64_t>(
+      std::clamp(std::floor((a - domain_.low[axis]) / cell_), -outermost, outermost));
 }
 
 std::int64_t Partition::row(std::int64_t z, std::int64_t y) const {
@@ -52,7 +55,8 @@ std::vector<int> Partition::owners_within(const Vec3& x, double reach) const {
   return owners;
 }
 
-// The range of rows with beads, over all ranks. Rows beyond it belong to the nearest one in it.
+// The range of rows with beads, over all ranks; where a few beads are far away, as many slabs as are
+// worth counting around the mean. Rows beyond belong to the nearest one in the range.
 void Partition::measure(const std::vector<Vec3>& own) {
   constexpr double none = -9e15;
   std::array<double, 4> ends = {none, none, none, none};  // -low and high of y, of z
@@ -67,6 +71,14 @@ void Partition::measure(const std::vector<Vec3>& own) {
     const bool empty = ends[2 * k] == none;
     first_[k] = empty ? 0 : static_cast<std::int64_t>(-ends[2 * k]);
     count_[k] = empty ? 1 : static_cast<std::int64_t>(ends[2 * k + 1]) - first_[k] + 1;
+    constexpr std::int64_t most_slabs = 2048;
+    if (count_[k] <= most_slabs) continue;
+    std::array<std::int64_t, 2> sums = {0, static_cast<std::int64_t>(own.size())};
+    for (const auto& x : own) sums[0] += k == 0 ? slab(x.y, 1) : slab(x.z, 2);
+    ranks_.sum(sums);
+    first_[k] = std::clamp(sums[0] / sums[1] - most_slabs / 2, first_[k],
+                           first_[k] + count_[k] - most_slabs);
+    count_[k] = most_slabs;
   }
 }
 

@@ -84,13 +84,17 @@ StableStep stable_step(const ContactModel& model,
   for (std::size_t i = 0; i < sums.size(); ++i) {
     const double inv_mass = particles.motion[i].inv_mass;
     if (inv_mass == 0.0 || !particles.is_own(i)) continue;
-    if (sums[i].single_step < limit.step) {
+    const auto id = particles.properties[i].id;
+    const auto limits = [&](double step) {  // of equal beads the first by id is named
+      return step < limit.step || (step == limit.step && limit.bead >= 0 && id < limit.bead);
+    };
+    if (limits(sums[i].single_step)) {
       limit = {sums[i].single_step, particles.properties[i].id, sums[i].contacts,
                particles.motion[i].x, false};
     }
     const double rotation = inv_mass / 0.4;
     const double step = largest_step(sums[i].k * rotation, sums[i].gamma * rotation);
-    if (step < limit.step) {
+    if (limits(step)) {
       limit = {step, particles.properties[i].id, sums[i].contacts, particles.motion[i].x, true};
     }
   }

@@ -93,12 +93,13 @@ std::vector<std::int64_t> ids(const CsvTable& table) {
   std::set<std::int64_t> seen;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double id = table.number(row, column);
-    values.push_back(static_cast<std::int64_t>(id));
-    if (id != std::floor(id) || id < 0.0 || !seen.insert(values.back()).second) {
+    constexpr double most = 9007199254740991.0;  // beyond, a double does not hold all whole numbers
+    const bool is_whole = id == std::floor(id) && id >= 0.0 && id <= most;
+    if (is_whole) values.push_back(static_cast<std::int64_t>(id));
+    if (!is_whole || !seen.insert(values.back()).second) {
       throw ConfigError(
-          fmt::format("{}: id = {} must be a whole number, not negative and not there "
-                      "twice",
-                      table.place(row), table.text(row, column)));
+          fmt::format("{}: id = {} must be a whole number from 0 to {:.0f}, and not there twice",
+                      table.place(row), table.text(row, column), most));
     }
   }
   return values;

@@ -132,6 +132,10 @@ void read_contact(Section& section,
                                         "wall_friction", thesis_friction);
   options.rolling = static_cast<RollingLawName>(
       section.choice("rolling", {"none", "cdt", "epsd"}, Fallback{"epsd"}));
+  if (options.rolling == RollingLawName::none) {
+    section.refuse("rolling_friction", "belongs to rolling = \"cdt\" or \"epsd\"");
+    return;
+  }
   options.rolling_friction =
       reader.needed("rolling_friction", Dimension::fraction, bounds::not_negative,
                     "rolling_friction", thesis_rolling);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The program as a user calls it.
 #include <algorithm>
+#include <filesystem>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,6 +13,7 @@ namespace packbed {
 namespace {
 
 using test::run_packbed;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -77,8 +79,9 @@ TEST(Run, CollidesTwoBeadsOfAFile) {
   const auto run = run_packbed("run cases/01_two_beads_collide/case.toml -o " + out);
 
   ASSERT_EQ(run.code, 0) << run.err;
-  const auto last = read_text_file(out + "/frames/beads_000020.csv");
-  EXPECT_THAT(last, HasSubstr("\n0,0.000456"));
+  const auto last = read_text_file(out + "/frames/beads_000020.csv");  // half of 0.05 m/s, turned
+  EXPECT_THAT(last, ContainsRegex("\n0,[^,]*,0.0005,0.0005,8.69e-05,-0.025"));
+  EXPECT_THAT(last, ContainsRegex("\n1,[^,]*,0.0005,0.0005,8.69e-05,0.025"));
   EXPECT_THAT(read_text_file(out + "/series.csv"), HasSubstr("time_s,step,stage,mean_overlap_m"));
   const auto summary = nlohmann::json::parse(read_text_file(out + "/summary.json"));
   EXPECT_EQ(summary["bead_steps"], 4000);
@@ -88,7 +91,15 @@ TEST(Run, CollidesTwoBeadsOfAFile) {
 TEST(Run, WritesTheSameOnSeveralRanks) {
   const test::TemporaryFolder folder;
   const auto out = folder.path().string();
-  const std::string arguments = "run cases/01_two_beads_collide/case.toml -o " + out;
+  // They collide along z, across the border of two ranks; a third one has escaped far away.
+  const auto file = folder.file(
+      "case.toml", read_text_file(PACKBED_SOURCE_DIR "/cases/01_two_beads_collide/case.toml"));
+  (void)folder.file("beads.csv",
+                    "x_m,y_m,z_m,diameter_m,vx_m_s,vy_m_s,vz_m_s\n"
+                    "0.5e-3,0.5e-3,0.4565e-3,86.9e-6,0,0,0.05\n"
+                    "0.5e-3,0.5e-3,0.5435e-3,86.9e-6,0,0,-0.05\n"
+                    "0.5e-3,0.5e-3,-10,86.9e-6,0,0,0\n");
+  const std::string arguments = "run " + file.string() + " -o " + out;
   ASSERT_EQ(run_packbed(arguments + "/one -n 1").code, 0);
   const auto two = run_packbed(arguments + "/two -n 2");
   ASSERT_EQ(two.code, 0) << two.err;
@@ -99,6 +110,43 @@ TEST(Run, WritesTheSameOnSeveralRanks) {
   const auto again = run_packbed(arguments + "/two -n 2");
   EXPECT_EQ(again.code, 1);
   EXPECT_EQ(std::ranges::count(again.err, '\n'), 1) << again.err;
+}
+
+TEST(Run, TakesNothingAwayThatItReads) {
+  const test::TemporaryFolder folder;
+  const std::string source = PACKBED_SOURCE_DIR "/cases/01_two_beads_collide/";
+  const auto text = read_text_file(source + "case.toml");
+  const auto file = folder.file("case.toml", text);
+  (void)folder.file("beads.csv", read_text_file(source + "beads.csv"));
+  const auto out = folder.path().string();
+  ASSERT_EQ(run_packbed("run " + file.string() + " -o " + out + "/r").code, 0);
+  auto from_frame = text;
+  from_frame.replace(from_frame.find("beads.csv"), 9, "r/frames/beads_000010.csv");
+  const auto again = folder.file("again.toml", from_frame);
+
+  for (const auto* ranks : {" -n 1", " -n 2"}) {
+    const auto here = run_packbed("run " + file.string() + " --overwrite -o " + out + ranks);
+    EXPECT_EQ(here.code, 1);
+    EXPECT_THAT(here.err, HasSubstr("case.toml: the run reads this file and would replace it"));
+    EXPECT_EQ(read_text_file(file), text);
+    const auto frame =
+        run_packbed("run " + again.string() + " --overwrite -o " + out + "/r" + ranks);
+    EXPECT_EQ(frame.code, 1);
+    EXPECT_TRUE(std::filesystem::exists(out + "/r/frames/beads_000010.csv"));
+  }
+}
+
+TEST(Run, LeavesWhatIsNotItsOwnAndAsksForInterruptedRuns) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "frames");
+  (void)folder.file("frames/mine.txt", "mine");
+  (void)folder.file("series.csv", "of a run that was interrupted");
+  const auto arguments = "run cases/01_two_beads_collide/case.toml -o " + folder.path().string();
+
+  EXPECT_EQ(run_packbed(arguments).code, 1);
+  EXPECT_EQ(read_text_file(folder.path() / "series.csv"), "of a run that was interrupted");
+  EXPECT_EQ(run_packbed(arguments + " --overwrite").code, 0);
+  EXPECT_EQ(read_text_file(folder.path() / "frames/mine.txt"), "mine");
 }
 
 TEST(Run, RefusesAStepThatDoesNotResolveContacts) {

@@ -63,7 +63,9 @@ std::set<Key> brute_force(const Particles& p, const Domain& domain, double skin)
 
 std::set<Key> found(const Particles& p, const Domain& domain, double skin) {
   std::set<Key> pairs;
-  for (const auto& pair : find_pairs(p, domain, skin)) pairs.insert({pair.i, pair.j, pair.image});
+  const auto listed = find_pairs(p, domain, skin);
+  for (const auto& pair : listed) pairs.insert({pair.i, pair.j, pair.image});
+  EXPECT_EQ(pairs.size(), listed.size());  // none twice
   return pairs;
 }
 

@@ -28,11 +28,18 @@ void check_stable(const dem::Dem& dem, double step) {
 
 RunPlan plan_run(double duration, double step, double interval) {
   if (duration <= 0.0) return {.steps = 0, .step = step, .output_every = 1};
-  constexpr double rounding = 1e-9;  // 10 us at 10 ns are 1000 steps, not 1001
+  constexpr double rounding = 1e-9;    // 10 us at 10 ns are 1000 steps, not 1001
+  constexpr double most_steps = 9e15;  // whole numbers of a double
+  if (duration / step > most_steps) {
+    throw ConfigError(fmt::format(
+        "a step \"run\" of {:.4g} s takes {:.3g} time steps of {:.4g} s, more than can be "
+        "counted; give a shorter duration",
+        duration, duration / step, step));
+  }
   const auto steps =
       std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(duration / step - rounding)));
   const double dt = duration / static_cast<double>(steps);
-  const auto every = std::max<std::int64_t>(1, std::llround(interval / dt));
+  const auto every = std::max<std::int64_t>(1, std::llround(std::min(interval / dt, most_steps)));
   return {.steps = steps, .step = dt, .output_every = every};
 }
 
