@@ -81,7 +81,8 @@ PlacedContacts place_contacts(const Luggage& luggage,
                               const Particles& particles,
                               std::size_t wall_count);
 
-/// Which beads are sent to and received from each rank after every step.
+/// Which beads are sent to and received from each rank after every step: those in near pairs. Other
+/// halo beads drift on unseen until the next renewal.
 class HaloExchange {
  public:
   HaloExchange() = default;

@@ -11,10 +11,8 @@
 namespace packbed::setup {
 namespace {
 
-// Layout of the bead loop (design of the bead mechanics): per bead 64 B position and velocity,
-// 32 B spin and radius, 64 B forces, 32 B reference position, 16 B id and key; 4.1 contacts of
-// 72 B in a packed bed; lists of 6 neighbors of 4 B.
-constexpr double bytes_per_bead = 64 + 32 + 64 + 32 + 16 + 4.1 * 72 + 6 * 4;
+// Measured at the peak, which is at a renewal of the lists (docs/performance.md, "Memory").
+constexpr double bytes_per_bead = 2200.0;
 
 double sphere(double diameter) { return std::numbers::pi / 6.0 * std::pow(diameter, 3); }
 

@@ -101,13 +101,13 @@ TEST(Run, WritesTheSameOnSeveralRanks) {
                     "0.5e-3,0.5e-3,-10,86.9e-6,0,0,0\n");
   const std::string arguments = "run " + file.string() + " -o " + out;
   ASSERT_EQ(run_packbed(arguments + "/one -n 1").code, 0);
-  const auto two = run_packbed(arguments + "/two -n 2");
+  const auto two = test::run_on_ranks(2, arguments + "/two");
   ASSERT_EQ(two.code, 0) << two.err;
 
   for (const auto* file : {"/series.csv", "/frames/beads_000010.csv"}) {
     EXPECT_EQ(read_text_file(out + "/one" + file), read_text_file(out + "/two" + file)) << file;
   }
-  const auto again = run_packbed(arguments + "/two -n 2");
+  const auto again = test::run_on_ranks(2, arguments + "/two");
   EXPECT_EQ(again.code, 1);
   EXPECT_EQ(std::ranges::count(again.err, '\n'), 1) << again.err;
 }

@@ -199,11 +199,13 @@ TEST(ContactForces, DoNotDependOnWhereBlocksBegin) {
 // Two lists: what is listed near may be fewer than what the skin takes in, and never misses a touch.
 TEST(Renewal, NarrowsTheListOfBeadsAtRest) {
   std::vector<BeadStart> beads;
-  for (int i = 0; i < 10; ++i) beads.push_back(bead(i, {i * (diameter_s + 5e-6), 0, 0}));
+  for (int i = 0; i < 10; ++i) beads.push_back(bead(i, {i * (diameter_s + 0.3e-6), 0, 0}));
   auto o = options(hooke(0.5), 1e-7);
   o.skin = 10e-6;
   Dem dem(o, beads, {});
-  dem.run(200);
+  dem.run(1);
+  EXPECT_EQ(dem.contacts().size(), 9U);
+  dem.run(1000);
   EXPECT_EQ(dem.contacts().size(), 0U);
   EXPECT_EQ(dem.renewals(), 1);
 }
