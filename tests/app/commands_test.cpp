@@ -112,6 +112,7 @@ TEST(Run, WritesTheSameOnSeveralRanks) {
   EXPECT_EQ(std::ranges::count(again.err, '\n'), 1) << again.err;
 }
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): that of the macros
 TEST(Run, TakesNothingAwayThatItReads) {
   const test::TemporaryFolder folder;
   const std::string source = PACKBED_SOURCE_DIR "/cases/01_two_beads_collide/";

@@ -20,11 +20,13 @@ std::vector<BeadStart> cloud(int count) {
   std::vector<BeadStart> beads;
   const double pitch = 150e-6;
   for (int k = 0; k < count; ++k) {
-    const auto u = [&](int n) {
-      return uniform(17, Stream::bead_position, static_cast<std::uint64_t>(10 * k + n));
+    const auto u = [&](std::uint64_t n) {
+      return uniform(17, Stream::bead_position, 10U * static_cast<std::uint64_t>(k) + n);
     };
-    const Vec3 x{(k % 8 + 0.3 + 0.1 * u(0)) * pitch, (k / 8 % 8 + 0.3 + 0.1 * u(1)) * pitch,
-                 (k / 64 + 0.5 + 0.02 * u(2)) * pitch};
+    const int row = k / 8 % 8;
+    const int layer = k / 64;
+    const Vec3 x{(k % 8 + 0.3 + 0.1 * u(0)) * pitch, (row + 0.3 + 0.1 * u(1)) * pitch,
+                 (layer + 0.5 + 0.02 * u(2)) * pitch};
     const Vec3 v{u(3) - 0.5, u(4) - 0.5, u(5) - 0.5};
     beads.push_back(with_weight(bead(k, x, v, (50 + 90 * u(6)) * 1e-6), 2000.0));
   }
