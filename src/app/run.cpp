@@ -40,7 +40,8 @@ void add_results(nlohmann::ordered_json& summary, const RunSummary& r) {
 void report(const setup::Case& c,
             const setup::CaseFigures& f,
             const std::filesystem::path& folder,
-            bool carried_out) {
+            bool carried_out,
+            int ranks_asked) {
   fmt::print("{}: {:.0f} grains, {} protocol step{}\n", c.title, f.bead_count, c.protocol.size(),
              c.protocol.size() == 1 ? "" : "s");
   if (carried_out) {
@@ -50,6 +51,8 @@ void report(const setup::Case& c,
                c.output.beads_csv ? fmt::format(", {}/frames", folder.string()) : "");
     return;
   }
+  if (ranks_asked > 1)
+    fmt::print("-n {} has no effect on a case that is only prepared.\n", ranks_asked);
   fmt::print(
       "NOT SIMULATED: packbed {} carries out the step \"run\" with beads from a file ([beads] "
       "csv). "
@@ -129,7 +132,7 @@ int run(const RunCommand& command) {
   if (command.json) {
     fmt::print("{}", json_text(summary));
   } else {
-    report(c, f, folder, carried_out);
+    report(c, f, folder, carried_out, command.ranks);
   }
   return 0;
 }

@@ -4,19 +4,6 @@
 #include <algorithm>
 
 namespace packbed::dem {
-namespace {
-
-void put(double (&rows)[3][lanes], std::size_t lane, const Vec3& a) {
-  rows[0][lane] = a.x;
-  rows[1][lane] = a.y;
-  rows[2][lane] = a.z;
-}
-
-Vec3 get(const double (&rows)[3][lanes], std::size_t lane) {
-  return {rows[0][lane], rows[1][lane], rows[2][lane]};
-}
-
-}  // namespace
 
 ContactList::ContactList(const std::vector<PairContact>& pairs,
                          const Domain& domain,
@@ -27,7 +14,7 @@ ContactList::ContactList(const std::vector<PairContact>& pairs,
 }
 
 void ContactList::push_back(const PairContact& p) {
-  const auto lane = size_ % lanes;
+  const auto lane = static_cast<int>(size_ % lanes);
   if (lane == 0) {
     auto& block = blocks.emplace_back();
     std::fill_n(block.i, lanes, dummy_);
@@ -45,7 +32,7 @@ void ContactList::push_back(const PairContact& p) {
 
 PairKey ContactList::key(std::size_t k) const {
   const auto& block = blocks[k / lanes];
-  const auto lane = k % lanes;
+  const auto lane = static_cast<int>(k % lanes);
   return {.i = block.i[lane],
           .j = block.j[lane],
           .image = {block.image[0][lane], block.image[1][lane], block.image[2][lane]}};
@@ -53,7 +40,7 @@ PairKey ContactList::key(std::size_t k) const {
 
 PairContact ContactList::pair(std::size_t k) const {
   const auto& block = blocks[k / lanes];
-  const auto lane = k % lanes;
+  const auto lane = static_cast<int>(k % lanes);
   const Vec3 c = get(block.coefficient, lane);
   PairContact p{key(k), {}, {}};
   p.coefficients = {c.x, c.y, c.z};

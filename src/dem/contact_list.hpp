@@ -42,6 +42,17 @@ struct alignas(64) ContactBlock {
   std::int8_t image[3][lanes];  ///< of j, one row per axis
 };
 
+/// One lane of three rows.
+inline void put(double (&rows)[3][lanes], int lane, const Vec3& a) {
+  rows[0][lane] = a.x;
+  rows[1][lane] = a.y;
+  rows[2][lane] = a.z;
+}
+
+inline Vec3 get(const double (&rows)[3][lanes], int lane) {
+  return {rows[0][lane], rows[1][lane], rows[2][lane]};
+}
+
 /// The blocks of a list of pairs. Lanes left over hold the two dummies.
 class ContactList {
  public:

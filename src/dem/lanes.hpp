@@ -33,16 +33,6 @@ struct alignas(64) Forces {
   double torque_j[3][lanes];
 };
 
-inline void put(double (&rows)[3][lanes], int lane, const Vec3& a) {
-  rows[0][lane] = a.x;
-  rows[1][lane] = a.y;
-  rows[2][lane] = a.z;
-}
-
-inline Vec3 get(const double (&rows)[3][lanes], int lane) {
-  return {rows[0][lane], rows[1][lane], rows[2][lane]};
-}
-
 /// Asks for the records of the beads of a block that comes soon.
 inline void prefetch_beads(const ContactBlock& block, const Particles& particles) {
   for (const auto j : block.j) {

@@ -8,20 +8,12 @@
 namespace packbed::dem {
 namespace {
 
-constexpr double least_overlap = 0.01;  // of R*: what a bead that only just touches will see
-
 struct Sums {
   double k = 0.0;
   double gamma = 0.0;
   int contacts = 0;
   double single_step = std::numeric_limits<double>::infinity();  ///< of its most delicate contact
 };
-
-// Root of step^2 w^2 + 2 step c = 4.
-double largest_step(double w2, double c) {
-  if (w2 <= 0.0) return std::numeric_limits<double>::infinity();
-  return (std::sqrt(c * c + 4.0 * w2) - c) / w2;
-}
 
 // A sticking contact by itself: sliding and rolling of both beads act on its tangential spring,
 // (1/m + R^2/I) = 3.5 / m of each, 3.5 / m* together.
@@ -33,7 +25,7 @@ void add(const ContactLaw& law,
          Sums& sums) {
   std::visit(
       [&](const auto& l) {
-        const double at = std::max(overlap, least_overlap * r_eff);
+        const double at = std::max(overlap, touching_overlap * r_eff);
         const Response response = l(at, 0.0, k);
         const double stiffness = std::max(l.stiffness(at, k), response.k_t);
         const double damping = l.damping(at, k);
@@ -47,6 +39,11 @@ void add(const ContactLaw& law,
 }
 
 }  // namespace
+
+double largest_step(double w2, double c) {
+  if (w2 <= 0.0) return std::numeric_limits<double>::infinity();
+  return (std::sqrt(c * c + 4.0 * w2) - c) / w2;
+}
 
 StableStep stable_step(const ContactModel& model,
                        const Particles& particles,
@@ -92,7 +89,7 @@ StableStep stable_step(const ContactModel& model,
       limit = {sums[i].single_step, particles.properties[i].id, sums[i].contacts,
                particles.motion[i].x, false};
     }
-    const double rotation = inv_mass / 0.4;
+    const double rotation = inv_mass / rotation_share;
     const double step = largest_step(sums[i].k * rotation, sums[i].gamma * rotation);
     if (limits(step)) {
       limit = {step, particles.properties[i].id, sums[i].contacts, particles.motion[i].x, true};

@@ -10,6 +10,13 @@
 
 namespace packbed::dem {
 
+inline constexpr double rotation_share = 0.4;     ///< I / (m R^2) of a sphere
+inline constexpr double touching_overlap = 0.01;  ///< of R*: what beads that just touch will see
+
+/// Largest stable step of an oscillator, the root of step^2 w2 + 2 step c = 4 [s]; w2 [1/s2], c [1/s].
+/// Infinite without a spring.
+double largest_step(double w2, double c);
+
 /// The bead that limits the step, and how.
 struct StableStep {
   double step = 0.0;       ///< [s]; infinite if nothing touches

@@ -6,11 +6,11 @@
 #include <limits>
 #include <numbers>
 
+#include "dem/stable_step.hpp"
+
 namespace packbed::dem {
 namespace {
 
-constexpr double typical_overlap = 0.01;  // of R*
-constexpr double rotation_share = 0.4;    // I / (m R^2)
 constexpr double safety = 0.8;
 
 struct Contact {
@@ -25,7 +25,7 @@ Contact contact_of(const ContactLaw& law, const Pair& pair) {
   return std::visit(
       [&](const auto& l) {
         const auto k = l.coefficients(pair);
-        const double overlap = typical_overlap * pair.r_eff;
+        const double overlap = touching_overlap * pair.r_eff;
         return Contact{.stiffness = std::max(l.stiffness(overlap, k), l(overlap, 0.0, k).k_t),
                        .damping = l.damping(overlap, k),
                        .m_eff = pair.m_scaled};
@@ -71,8 +71,7 @@ StepChoice choose_step(const ContactLaw& law,
     const double mode_mass = rotation_share * inertia_scale * bead.mass;
     const double w2 = bed_contacts * in_bed.stiffness / mode_mass;
     const double c = bed_contacts * in_bed.damping / mode_mass;
-    choice.stable_in_a_bed =
-        std::min(choice.stable_in_a_bed, (std::sqrt(c * c + 4.0 * w2) - c) / w2);
+    choice.stable_in_a_bed = std::min(choice.stable_in_a_bed, largest_step(w2, c));
   }
   choice.step =
       std::min(safety * choice.stable_in_a_bed, choice.contact_time / fewest_steps_per_contact);

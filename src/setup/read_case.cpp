@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/file.hpp"
+#include "setup/parse_toml.hpp"
 #include "setup/read_sections.hpp"
 #include "setup/resin_file.hpp"
 

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "setup/builtin_library.hpp"
+#include "setup/parse_toml.hpp"
 
 namespace packbed::setup {
 namespace {

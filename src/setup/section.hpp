@@ -170,7 +170,4 @@ class Section {
 /// "give a length such as "90 um"", for messages about a key.
 std::string such_as(std::string_view key, Dimension dimension);
 
-/// Parses TOML text. Throws ConfigError "FILE:LINE: ..." for what is not TOML, duplicates included.
-toml::table parse_toml(std::string_view text, const std::filesystem::path& file);
-
 }  // namespace packbed::setup
