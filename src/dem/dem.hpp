@@ -6,6 +6,7 @@
 /// velocities stand at half steps, and the laws see v(n - 1/2). Order 2 without damping, 1 with.
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "dem/particles.hpp"
 #include "dem/partition.hpp"
 #include "dem/stable_step.hpp"
+#include "dem/state.hpp"
 #include "dem/walls.hpp"
 
 namespace packbed::dem {
@@ -58,6 +60,15 @@ class Dem {
       std::vector<Wall> walls,
       const Ranks& ranks = Ranks::alone());
 
+  /// Goes on from a state, that of all ranks, with the same bits. With Lists::anew beads may have been
+  /// added or taken away (their contacts too, as no bead is where a contact's id points): lists are
+  /// renewed at once. `options` give domain, laws and limits; the state gives the rest.
+  enum class Lists { as_saved, anew };
+  Dem(const DemOptions& options,
+      const DemState& all,
+      Lists lists,
+      const Ranks& ranks = Ranks::alone());
+
   /// `count` time steps. Throws DivergenceError naming bead, position and step.
   void run(std::int64_t count);
 
@@ -67,6 +78,18 @@ class Dem {
     steps_before_ = steps_;
     options_.step = step;
   }
+
+  // What a protocol changes on the way; between steps.
+  void set_background_damping(double rate) { options_.background_damping = rate; }  ///< [1/s]
+  void set_friction(double friction) { options_.model.friction = friction; }  ///< bead on bead
+  /// Of the rolling law, if it has one.
+  void set_rolling_friction(double mu_r);
+  /// Weight less buoyancy, downwards [N], of each bead.
+  void set_weights(const std::function<double(const BeadProperties&)>& weight);
+  void set_inertia_scale(double scale);
+
+  /// This rank's share of everything that the next steps depend on (dem/state.hpp).
+  [[nodiscard]] DemState state() const;
 
   /// All ranks call it; the beads are on rank 0, the sums everywhere.
   [[nodiscard]] Snapshot snapshot() const;
@@ -78,6 +101,7 @@ class Dem {
   [[nodiscard]] double time() const {
     return time_before_ + static_cast<double>(steps_ - steps_before_) * options_.step;
   }
+  [[nodiscard]] const DemOptions& options() const { return options_; }
   [[nodiscard]] std::int64_t steps() const { return steps_; }
   [[nodiscard]] std::int64_t renewals() const { return renewals_; }
   /// Own and halo beads of this rank.
@@ -90,6 +114,10 @@ class Dem {
   [[nodiscard]] const std::vector<WallContacts>& wall_contacts() const { return wall_contacts_; }
 
  private:
+  void take_over(const DemProgress& progress);
+  void restore_lists(const DemState& all);
+  void start_anew(const DemState& all);
+  [[nodiscard]] Motion motion_of(const BeadProperties& bead, const Vec3& x, const Vec3& v) const;
   void step_once();
   void renew();
   void renew_if_needed();
