@@ -12,6 +12,7 @@
 
 #include "core/ranks.hpp"
 #include "dem/contact_list.hpp"
+#include "dem/contact_report.hpp"
 #include "dem/domain.hpp"
 #include "dem/exchange.hpp"
 #include "dem/force_pass.hpp"
@@ -93,6 +94,8 @@ class Dem {
 
   /// All ranks call it; the beads are on rank 0, the sums everywhere.
   [[nodiscard]] Snapshot snapshot() const;
+  /// All ranks call it; the contacts are on rank 0, sorted by ids, the lower one first.
+  [[nodiscard]] std::vector<ContactReport> touching_contacts() const;
   /// Throws DivergenceError for the first overlap beyond the limit. The driver asks at every output.
   void check_overlaps() const;
   /// Of the beads of all ranks; all call it.

@@ -130,6 +130,31 @@ TEST(DemState, TakesBeadsAwayAndAddsOthersWithoutDisturbingTheRest) {
   EXPECT_GE(unchanged, 149 - 12);
 }
 
+TEST(TouchingContacts, AddUpToTheForcesOfTheBeads) {
+  auto dem = slice();
+  dem.run(4000);
+  const auto s = dem.snapshot();
+  std::vector<Vec3> sums(s.x.size());
+  int walls = 0;
+  for (const auto& c : dem.touching_contacts()) {
+    const Vec3 force = c.normal + c.tangential;
+    sums[static_cast<std::size_t>(c.id_i)] += force;
+    if (c.id_j >= 0) sums[static_cast<std::size_t>(c.id_j)] -= force;
+    walls += c.id_j < 0 ? 1 : 0;
+    const double r_i = 0.5 * thrown(150)[static_cast<std::size_t>(c.id_i)].properties.diameter;
+    if (c.id_j < 0) {
+      EXPECT_NEAR(norm(c.branch) + c.overlap, r_i, 1e-15);
+    } else {
+      const double r_j = 0.5 * thrown(150)[static_cast<std::size_t>(c.id_j)].properties.diameter;
+      EXPECT_NEAR(norm(c.branch) + c.overlap, r_i + r_j, 1e-15);
+    }
+  }
+  EXPECT_GT(walls, 3);
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    EXPECT_LE(norm(sums[i] - s.force[i]), 1e-10 * (norm(s.force[i]) + s.mean_contact_force)) << i;
+  }
+}
+
 TEST(DemState, SettersActFromTheNextStepOn) {
   auto dem = slice();
   dem.run(500);
