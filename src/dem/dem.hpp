@@ -114,6 +114,7 @@ class Dem {
   [[nodiscard]] const Ranks& ranks() const { return ranks_; }
   [[nodiscard]] const ContactList& contacts() const { return contacts_; }
   [[nodiscard]] std::vector<Wall>& walls() { return walls_; }
+  [[nodiscard]] const std::vector<Wall>& walls() const { return walls_; }
   [[nodiscard]] const std::vector<WallContacts>& wall_contacts() const { return wall_contacts_; }
 
  private:
