@@ -68,6 +68,15 @@ class Dem {
     options_.step = step;
   }
 
+  /// From the next step on; c >= 0 [1/s].
+  void set_background_damping(double c) { options_.background_damping = c; }
+
+  /// All diameters times `factor`, at constant density: masses, weights, moments of inertia and the
+  /// coefficients of all contacts follow; centers, velocities, spins and springs (as lengths and
+  /// angles) stay, and so do skin and box. The lists are renewed. All ranks call it. Throws ValueError
+  /// for a factor that is not positive, DivergenceError for overlaps beyond the limit.
+  void scale_diameters(double factor);
+
   /// All ranks call it; the beads are on rank 0, the sums everywhere.
   [[nodiscard]] Snapshot snapshot() const;
   /// Throws DivergenceError for the first overlap beyond the limit. The driver asks at every output.
@@ -124,7 +133,8 @@ class Dem {
   HaloExchange halo_;
   std::int64_t bead_count_ = 0;
   std::int64_t repartitions_ = 0;
-  double cell_ = 0.0;  ///< width of the key grid [m]
+  double largest_diameter_ = 0.0;  ///< of all ranks' beads [m]
+  double cell_ = 0.0;              ///< width of the key grid: the largest diameter at the start [m]
 
   // Two lists, two skins. Pairs within options_.skin are found at renewals, which also bring the beads
   // into a new order. Of these, pairs within near_skin_ are listed with their springs. What decides of
