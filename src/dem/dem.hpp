@@ -88,6 +88,11 @@ class Dem {
   /// Weight less buoyancy, downwards [N], of each bead.
   void set_weights(const std::function<double(const BeadProperties&)>& weight);
   void set_inertia_scale(double scale);
+  /// All diameters times `factor`, at constant density: masses, weights, moments of inertia and the
+  /// coefficients of all contacts follow; centers, velocities, spins and springs (as lengths and
+  /// angles) stay, and so do skin and box. The lists are renewed. All ranks call it. Throws ValueError
+  /// for a factor that is not positive, DivergenceError for overlaps beyond the limit.
+  void scale_diameters(double factor);
 
   /// This rank's share of everything that the next steps depend on (dem/state.hpp).
   [[nodiscard]] DemState state() const;
@@ -114,6 +119,7 @@ class Dem {
   [[nodiscard]] const Ranks& ranks() const { return ranks_; }
   [[nodiscard]] const ContactList& contacts() const { return contacts_; }
   [[nodiscard]] std::vector<Wall>& walls() { return walls_; }
+  [[nodiscard]] const std::vector<Wall>& walls() const { return walls_; }
   [[nodiscard]] const std::vector<WallContacts>& wall_contacts() const { return wall_contacts_; }
 
  private:
@@ -155,7 +161,8 @@ class Dem {
   HaloExchange halo_;
   std::int64_t bead_count_ = 0;
   std::int64_t repartitions_ = 0;
-  double cell_ = 0.0;  ///< width of the key grid [m]
+  double largest_diameter_ = 0.0;  ///< of all ranks' beads [m]
+  double cell_ = 0.0;              ///< width of the key grid: the largest diameter at the start [m]
 
   // Two lists, two skins. Pairs within options_.skin are found at renewals, which also bring the beads
   // into a new order. Of these, pairs within near_skin_ are listed with their springs. What decides of

@@ -22,7 +22,7 @@ constexpr std::int32_t most_count_changes = 6;
 constexpr std::int32_t most_corrections = 3;
 constexpr double near_height = 0.5;  // distance from the height asked for / mean diameter
 // Densification: friction is lowered by a factor whenever the bed has almost stopped to give way.
-constexpr std::int64_t look_every = 50;   // steps between looks at the porosity
+constexpr std::int64_t look_every = 100;  // steps between looks at the porosity
 constexpr double less_friction = 0.8;     // factor
 constexpr double gives_way = 1e-4;        // porosity that a slice loses
 constexpr double least_looseness = 0.01;  // below it there is no friction
@@ -63,7 +63,7 @@ bool Settle::advance(dem::Dem& dem) {
 void Settle::begin(dem::Dem& dem) {
   if (dem.bead_count() == 0) throw ConfigError("step \"settle\": there are no beads to settle");
   if (options_.lid) put_lid(lid_away, dem);
-  bed_ = bed_figures(dem.particles(), area(), dem.ranks());
+  bed_ = look_at_bed(dem, area());
   state_.friction = options_.friction.value_or(options_.resin_friction);
   if (options_.porosity) {
     state_.aim = *options_.porosity - aim_below * options_.porosity_tolerance;
@@ -115,12 +115,12 @@ void Settle::run_slice(dem::Dem& dem) {
 void Settle::run_densifying(dem::Dem& dem) {
   for (std::int64_t done = 0; done < options_.slice; done += look_every) {
     dem.run(std::min(look_every, options_.slice - done));
-    if (bed_figures(dem.particles(), area(), dem.ranks()).porosity <= state_.aim) return;
+    if (middle_porosity(dem, area()) <= state_.aim) return;
   }
 }
 
 void Settle::look(const dem::Dem& dem) {
-  bed_ = bed_figures(dem.particles(), area(), dem.ranks());
+  bed_ = look_at_bed(dem, area());
   rest_ = rest_of(dem);
   state_.height_before = state_.bed_height;
   state_.porosity_before = state_.porosity;

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <utility>
 
-#include "column/bed_figures.hpp"
+#include "column/protocol/bed_look.hpp"
 #include "column/protocol/stepping.hpp"
 #include "dem/dem.hpp"
 #include "mesh/column_shape.hpp"
@@ -121,7 +121,7 @@ class Settle {
   SettleState state_;
   // Of this slice.
   Rest rest_;
-  BedFigures bed_;
+  BedLook bed_;
 };
 
 }  // namespace packbed::column

@@ -2,7 +2,6 @@
 #include "column/protocol/stepping.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -13,15 +12,6 @@ namespace {
 
 constexpr double safety = 0.8;
 constexpr double worth_a_change = 1.1;
-
-double fastest_of(const dem::Dem& dem) {
-  double fastest = 0.0;
-  const auto& p = dem.particles();
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    if (p.is_own(i)) fastest = std::max(fastest, std::abs(p.motion[i].v.z));
-  }
-  return dem.ranks().max(fastest);
-}
 
 void check_fixed(const SteppingOptions& options,
                  const dem::Dem& dem,
@@ -51,15 +41,6 @@ void choose_step(const SteppingOptions& options, dem::Dem& dem) {
                                           : wanted < now || wanted > worth_a_change * now ||
                                                 (wanted == options.longest_step && wanted > now);
   if (changes) dem.set_step(wanted);
-}
-
-Rest rest_of(const dem::Dem& dem) {
-  const auto s = dem.snapshot();
-  const double contact = s.mean_contact_force;
-  return {.unbalanced = contact > 0.0 ? s.mean_unbalanced_force / contact : 1.0,
-          .fastest = fastest_of(dem),
-          .coordination = s.coordination_number,
-          .max_overlap = s.max_overlap_ratio};
 }
 
 }  // namespace packbed::column

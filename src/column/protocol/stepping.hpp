@@ -2,9 +2,8 @@
 #pragma once
 
 /// @file
-/// Time steps that follow the stable step of the bed, and whether the bed is at rest.
+/// Time steps that follow the stable step of the bed.
 
-#include <cstdint>
 #include <optional>
 
 #include "dem/dem.hpp"
@@ -22,16 +21,5 @@ struct SteppingOptions {
 /// or more. Depends on the bed alone, never on time. Throws DivergenceError for a fixed step above the
 /// stable one, unless forced.
 void choose_step(const SteppingOptions& options, dem::Dem& dem);
-
-/// How far from rest the beads are. The same on all ranks.
-struct Rest {
-  double unbalanced =
-      0.0;  ///< mean unbalanced force of a bead / mean contact force; 1 without contacts
-  double fastest = 0.0;       ///< speed of the fastest bead along z [m/s]
-  double coordination = 0.0;  ///< contacts between beads per bead
-  double max_overlap = 0.0;   ///< largest overlap / diameter
-};
-
-Rest rest_of(const dem::Dem& dem);
 
 }  // namespace packbed::column
