@@ -70,6 +70,7 @@ class CheckpointWriter {
   std::filesystem::path part_;
   Ranks ranks_;
   hdf5::Object content_;
+  std::uint64_t taken_;  ///< disk space that is ours [bytes]
   bool is_committed_ = false;
   bool may_close_;  ///< whether all ranks are known to stand at the same place
 };

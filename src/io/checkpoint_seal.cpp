@@ -64,7 +64,7 @@ std::string checksum_of(const std::filesystem::path& file) {
   const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(),
                                                                               XXH3_freeState);
   XXH3_64bits_reset(state.get());
-  std::vector<char> block(std::size_t{1} << 20U);
+  std::vector<char> block(std::size_t{1} << 16U);
   while (stream) {
     stream.read(block.data(), static_cast<std::streamsize>(block.size()));
     XXH3_64bits_update(state.get(), block.data(), static_cast<std::size_t>(stream.gcount()));

@@ -17,8 +17,8 @@ namespace {
 
 /// What a rank writes in one call: MPI-IO counts in int.
 constexpr std::size_t bytes_at_once = std::size_t{1} << 28U;
-/// Taken beyond the arrays for what HDF5 notes about them.
-constexpr std::uint64_t reserve_for_notes = std::uint64_t{1} << 20U;
+/// Disk space taken beyond the arrays: for texts, and what HDF5 notes about all of it.
+constexpr std::uint64_t taken_at_start = std::uint64_t{1} << 20U;
 
 void prepare(const std::filesystem::path& folder) {
   std::error_code failed;
@@ -36,7 +36,7 @@ hdf5::Object create(const std::filesystem::path& part, const Ranks& ranks) {
     made.emplace(hdf5::create_file(part, seal_bytes, ranks));
     for (const auto* group : {"arrays", "numbers", "texts"}) made->create_group(group).close();
   });
-  on_first(ranks, [&] { reserve(part, reserve_for_notes); });
+  on_first(ranks, [&] { reserve(part, taken_at_start); });
   return std::move(*made);
 }
 
@@ -80,6 +80,7 @@ CheckpointWriter::CheckpointWriter(const std::filesystem::path& folder,
       part_(part_of(file_)),
       ranks_(ranks),
       content_(open_part(part_, ranks)),
+      taken_(taken_at_start),
       may_close_(ranks.size() == 1) {}
 
 CheckpointWriter::~CheckpointWriter() {
@@ -93,8 +94,10 @@ CheckpointWriter::~CheckpointWriter() {
     content_.close();
   } catch (const DataError&) {  // NOLINT(bugprone-empty-catch): what went wrong is told already
   }
+  if (!ranks_.is_first()) return;
   std::error_code ignored;
-  if (ranks_.is_first()) std::filesystem::remove(part_, ignored);
+  std::filesystem::resize_file(part_, 0, ignored);  // HDF5 keeps a file open that it cannot close
+  std::filesystem::remove(part_, ignored);
 }
 
 template <class Act>
@@ -112,13 +115,15 @@ void CheckpointWriter::array_of(const std::string& name, hdf5::ArrayForm mine, c
   auto first = std::accumulate(rows.begin(), rows.begin() + ranks_.rank(), std::int64_t{0});
   auto all = mine;
   all.rows = std::accumulate(rows.begin(), rows.end(), std::int64_t{0});
+  const auto row_bytes = mine.width * hdf5::bytes_of(mine.element);
+  // Before HDF5 knows of it: an HDF5 file that cannot be written any more cannot be closed either.
+  taken_ += static_cast<std::uint64_t>(all.rows) * row_bytes;
+  together([&] {
+    if (ranks_.is_first()) reserve(part_, taken_);
+  });
   std::optional<hdf5::Object> array;
   together([&] { array.emplace(content_.create_array("arrays/" + name, all)); });
-  together([&] {
-    if (ranks_.is_first()) reserve(part_, content_.end() + reserve_for_notes);
-  });
 
-  const auto row_bytes = mine.width * hdf5::bytes_of(mine.element);
   const auto at_once =
       static_cast<std::int64_t>(std::max<std::size_t>(1, bytes_at_once / row_bytes));
   const auto* next = static_cast<const std::byte*>(values);
@@ -191,17 +196,23 @@ void CheckpointWriter::integer(const std::string& name, std::int64_t value) {
 void CheckpointWriter::text(const std::string& name, std::string_view value) {
   assert(value.find('\0') == std::string_view::npos);
   const auto first = first_said(ranks_, ranks_.is_first() ? std::string(value) : "");
+  taken_ += first.size();
+  together([&] {
+    if (ranks_.is_first()) reserve(part_, taken_);
+  });
   together([&] { content_.write_text("texts/" + name, first, ranks_.is_first()); });
 }
 
 std::filesystem::path CheckpointWriter::commit() {
   assert(!is_committed_);
   together([&] { content_.flush(); });
-  const auto length = content_.end();
+  // MPI-IO cuts what was taken and not used by itself when it closes the file.
+  const bool must_cut = ranks_.size() == 1;
+  const auto length = must_cut ? content_.end() : 0;
   together([&] { content_.close(); });
   together([&] {
     if (!ranks_.is_first()) return;
-    cut_file(part_, length);  // gives back what was reserved and not used
+    if (must_cut) cut_file(part_, length);
     seal(part_, checkpoint_format);
     sync_file(part_);
     publish(part_, file_);

@@ -206,8 +206,8 @@ void Object::read_rows(std::int64_t first, const ArrayForm& values, void* data) 
 void Object::flush() const { ok(H5Fflush(id_, H5F_SCOPE_GLOBAL), file_, "writing"); }
 
 std::uint64_t Object::end() const {
-  haddr_t end = 0;
-  ok(H5Fget_eoa(id_, &end), file_, "asking for the length");
+  hsize_t end = 0;
+  ok(H5Fget_filesize(id_, &end), file_, "asking for the length");
   return end;
 }
 
@@ -221,13 +221,18 @@ std::vector<std::byte> Object::image() const {
 
 namespace {
 
-/// Nothing on standard error; reason() tells.
-void be_quiet() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+/// Before anything else is asked of HDF5. It prints nothing, since reason() tells. And it does not
+/// clean up at the end of the program: it crashes there if a file could not be closed for a full disk.
+void set_up() {
+  static const herr_t once = H5dont_atexit();
+  static_cast<void>(once);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 }  // namespace
 
 Object create_file(const std::filesystem::path& file, std::size_t user_block, const Ranks& ranks) {
-  be_quiet();
+  set_up();
   const auto access = new_list(H5P_FILE_ACCESS, file);
   const auto creation = new_list(H5P_FILE_CREATE, file);
   ok(H5Pset_obj_track_times(creation, false), file, "setting HDF5 up");
@@ -243,7 +248,7 @@ Object create_file(const std::filesystem::path& file, std::size_t user_block, co
 }
 
 Object create_in_memory(const std::filesystem::path& file) {
-  be_quiet();
+  set_up();
   const auto access = new_list(H5P_FILE_ACCESS, file);
   const auto creation = new_list(H5P_FILE_CREATE, file);
   ok(H5Pset_obj_track_times(creation, false), file, "setting HDF5 up");
@@ -254,7 +259,7 @@ Object create_in_memory(const std::filesystem::path& file) {
 }
 
 Object open_file(const std::filesystem::path& file) {
-  be_quiet();
+  set_up();
   const auto access = new_list(H5P_FILE_ACCESS, file);
   ok(H5Pset_file_locking(access, false, true), file, "setting HDF5 up");
   const auto id = H5Fopen(file.c_str(), H5F_ACC_RDONLY, access);

@@ -104,7 +104,7 @@ class Object {
   // Of a file:
 
   void flush() const;
-  [[nodiscard]] std::uint64_t end() const;  ///< length of the file once it is closed
+  [[nodiscard]] std::uint64_t end() const;  ///< its length once it is closed; not through MPI-IO
   /// A file in memory, as it would be on disk.
   [[nodiscard]] std::vector<std::byte> image() const;
 
