@@ -16,7 +16,7 @@ struct Counts {
   double x = 0, y = 0, core = 0, ring = 0, layers = 1;
 };
 
-double number(const std::optional<std::int32_t>& given, double otherwise, double least = 1.0) {
+double number(const std::optional<std::int64_t>& given, double otherwise, double least = 1.0) {
   return given ? static_cast<double>(*given) : std::max(least, std::round(otherwise));
 }
 

@@ -14,11 +14,11 @@ namespace packbed::mesh {
 /// What a user asks for: a size of cells, and numbers where they are to be exact.
 struct MeshOptions {
   double cell = 0.35e-3;                  ///< aimed at in every direction [m]
-  std::optional<std::int32_t> cells_x{};  ///< of a slice or box
-  std::optional<std::int32_t> cells_y{};  ///< of a slice or box
-  std::optional<std::int32_t> core{};     ///< of a cylinder: along a side of the middle block
-  std::optional<std::int32_t> ring{};     ///< of a cylinder: from the middle block to the wall
-  std::optional<std::int32_t> layers{};   ///< in z
+  std::optional<std::int64_t> cells_x{};  ///< of a slice or box
+  std::optional<std::int64_t> cells_y{};  ///< of a slice or box
+  std::optional<std::int64_t> core{};     ///< of a cylinder: along a side of the middle block
+  std::optional<std::int64_t> ring{};     ///< of a cylinder: from the middle block to the wall
+  std::optional<std::int64_t> layers{};   ///< in z
   bool operator==(const MeshOptions&) const = default;
 };
 

@@ -80,10 +80,10 @@ std::optional<std::int64_t> ColumnMesh::cell_at(const Vec3& x) const {
   const auto& low = locator_.low();
   const auto& high = locator_.high();
   if (!within(x.z, 0.0, top_)) return std::nullopt;
-  if (radius_ ? !within(std::hypot(x.x, x.y), 0.0, *radius_)
-              : !within(x.x, low.x, high.x) || !within(x.y, low.y, high.y)) {
-    return std::nullopt;
-  }
+  const double limit = radius_.value_or(0.0) + slack_;
+  const bool inside = radius_ ? x.x * x.x + x.y * x.y <= limit * limit
+                              : within(x.x, low.x, high.x) && within(x.y, low.y, high.y);
+  if (!inside) return std::nullopt;
   return nearest_cell(x);
 }
 
