@@ -14,7 +14,6 @@
 namespace packbed::column {
 namespace {
 
-constexpr double lid_away = 1e3;        // z of a lid that does not act [m]
 constexpr double loose_margin = 0.004;  // by which a bed is settled looser than it should be
 constexpr double landed_speed = 0.1;    // of a bead that falls no more / sqrt(g d / inertia scale)
 constexpr std::int32_t most_falls = 2;

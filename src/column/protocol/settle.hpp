@@ -19,6 +19,9 @@
 
 namespace packbed::column {
 
+/// z of a lid that does not act [m].
+inline constexpr double lid_away = 1e3;
+
 struct SettleOptions {
   mesh::ColumnShape shape;
   double gravity = 9.81;        ///< [m/s2]

@@ -40,7 +40,7 @@ struct TapState {
   std::int64_t rest_slices = 0;  ///< done after the last tap
   std::int32_t resting = 1;      ///< whether the bed comes to rest
   std::int32_t done = 0;
-  double mean_diameter = 0.0;    ///< [m]; 0 before the first slice
+  double mean_diameter = 0.0;  ///< [m]; 0 before the first slice
   // Figures of the last slice.
   double bed_height = 0.0;  ///< [m]
   double height_before = 0.0;
