@@ -14,8 +14,10 @@
 namespace packbed::column {
 namespace {
 
-constexpr double loose_margin = 0.004;  // by which a bed is settled looser than it should be
-constexpr double landed_speed = 0.1;    // of a bead that falls no more / sqrt(g d / inertia scale)
+// By which a bed is settled looser than it should be: the first time, and the second.
+constexpr double loose_margin = 0.004;
+constexpr double looser_margin = 0.010;
+constexpr double landed_speed = 0.1;  // of a bead that falls no more / sqrt(g d / inertia scale)
 constexpr std::int32_t most_falls = 2;
 constexpr std::int32_t most_count_changes = 6;
 constexpr std::int32_t most_corrections = 3;
@@ -214,10 +216,10 @@ void Settle::after_densify(dem::Dem& dem) {
 void Settle::fall_again(dem::Dem& dem) {
   const double expected = settled_porosity(state_.friction, options_.resin_rolling_friction);
   const double deviation = state_.porosity - expected;
-  const double friction = settling_friction(*options_.porosity + loose_margin - deviation,
+  const double friction = settling_friction(*options_.porosity + looser_margin - deviation,
                                             options_.resin_rolling_friction);
   if (state_.falls >= most_falls || friction <= state_.friction) {
-    refuse_porosity("is too loose: with the friction of the resin this one settles to");
+    refuse_porosity("is too loose: with all the friction that helps this one settles to");
   }
   state_.friction = friction;
   state_.looseness = 1.0;
@@ -264,7 +266,7 @@ void Settle::after_submerge(dem::Dem& dem) {
                            std::abs(state_.bed_height - *options_.bed_height) <= bed_.mean_diameter;
   if (dense_enough && high_enough) return finish(dem);
   if (!dense_enough && ++state_.corrections > most_corrections) {
-    refuse_porosity("cannot be met closely enough by a bed this small; it has");
+    refuse_porosity("cannot be met within its tolerance by this bed, which has");
   }
   state_.aim -= excess;
   weigh(0.0, dem);
