@@ -42,7 +42,8 @@ struct Snapshot {
   double time;                      ///< [s]
   std::vector<Vec3> x, v, w;        ///< one per bead, in the order of ids
   std::vector<Vec3> force, torque;  ///< of contacts and walls, without weight
-  std::vector<Vec3> wall_force;     ///< on each wall [N]
+  std::vector<BeadProperties> beads;  ///< likewise
+  std::vector<Vec3> wall_force;       ///< on each wall [N]
   double kinetic_energy;            ///< with the masses that move [J]
   double elastic_energy;            ///< of normal and tangential springs [J]
   double mean_contact_force;        ///< of touching pairs and wall contacts [N]

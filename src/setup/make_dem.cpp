@@ -169,7 +169,7 @@ dem::StepChoice step_of(const Case& c) {
   return choice;
 }
 
-dem::Dem make_dem(const Case& c, double step, const Ranks& ranks) {
+dem::DemOptions options_of(const Case& c, double step) {
   dem::DemOptions options;
   options.domain = domain_of(c.column.shape);
   options.model = contact_model(c);
@@ -177,7 +177,11 @@ dem::Dem make_dem(const Case& c, double step, const Ranks& ranks) {
   options.inertia_scale = c.numerics.inertia_scale.value_or(1.0);
   if (c.numerics.background_damping)
     options.background_damping = 1.0 / *c.numerics.background_damping;
-  return {options, make_beads(c), make_walls(c), ranks};
+  return options;
+}
+
+dem::Dem make_dem(const Case& c, double step, const Ranks& ranks) {
+  return {options_of(c, step), make_beads(c), make_walls(c), ranks};
 }
 
 }  // namespace packbed::setup
