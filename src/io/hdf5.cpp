@@ -38,10 +38,10 @@ Extents extents(std::int64_t rows, std::size_t width) {
   return {{static_cast<hsize_t>(rows), width}, width == 1 ? 1 : 2};
 }
 
-/// Rows of a chunk of a compressed array: about 512 kB.
+/// Rows of a chunk of a compressed array: about 64 kB.
 std::int64_t rows_of_chunk(const ArrayForm& form) {
   const auto row = static_cast<std::int64_t>(form.width * bytes_of(form.element));
-  return std::clamp<std::int64_t>(524288 / row, 1, std::max<std::int64_t>(form.rows, 1));
+  return std::clamp<std::int64_t>(65536 / row, 1, std::max<std::int64_t>(form.rows, 1));
 }
 
 Local space_of(std::int64_t rows, std::size_t width, const std::filesystem::path& file) {
