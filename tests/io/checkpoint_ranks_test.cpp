@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <optional>
 #include <string>
 
 #include <sys/resource.h>
@@ -120,6 +121,11 @@ int check_full_disk(const std::filesystem::path& folder, const Ranks& ranks) {
                                 writer.array("much", much);
                               }),
          "no room for an array");
+  std::optional<CheckpointWriter> writer(std::in_place, folder, number + 1, ranks);
+  writer->array("much", much);
+  const auto told = told_when_limited_to(1000, [&] { writer->commit(); });
+  writer.reset();
+  if (told.find("h5.part: writing failed") == std::string::npos) ++wrong;
   expect(told_when_limited_to(10000, [&] { write(folder, number + 1, ranks); }), "no room at all");
   if (checkpoints(folder) != std::vector{checkpoint_file(folder, number)}) ++wrong;
   if (std::distance(std::filesystem::directory_iterator(folder), {}) != 1) ++wrong;
