@@ -43,7 +43,8 @@ Dem::Dem(const DemOptions& options,
       wall_contacts_(walls_.size()),
       ranks_(ranks),
       bead_count_(static_cast<std::int64_t>(beads.size())),
-      cell_(std::max(largest_diameter(beads), 1e-12)),
+      largest_diameter_(largest_diameter(beads)),
+      cell_(std::max(largest_diameter_, 1e-12)),
       partition_(options.domain, cell_, ranks) {
   constexpr double skin_of_diameter = 0.05;
   if (options_.skin <= 0.0) options_.skin = skin_of_diameter * cell_;
@@ -244,7 +245,7 @@ void Dem::trade_beads_and_contacts() {
     ++repartitions_;
   }
   luggage = migrate(luggage, partition_, ranks_);
-  const auto foreign = halo(luggage.beads, partition_, cell_ + options_.skin, ranks_);
+  const auto foreign = halo(luggage.beads, partition_, largest_diameter_ + options_.skin, ranks_);
   place_beads(luggage.beads, foreign, particles_);
   reorder(particles_, key_order(particles_, options_.domain, cell_));
 
