@@ -15,15 +15,17 @@ namespace packbed::analysis {
 
 class Slots {
  public:
-  /// `edges` ascend; no term may be larger than `largest`.
+  /// At least two `edges`, ascending; no term may be larger than `largest`.
   Slots(std::span<const double> edges, double largest)
-      : edges_(edges.begin(), edges.end()), sums_(edges.size() + 1, largest) {}
+      : edges_(edges.begin(), edges.end()),
+        sums_(edges.size() + 1, largest),
+        per_length_(static_cast<double>(edges.size() - 1) / (edges.back() - edges.front())) {}
 
   /// Adds `total`, spread over low..high of the coordinate; `below(edge)` is the part of it below an
   /// edge in between.
   template <class Below>
   void spread(double low, double high, double total, const Below& below) {
-    auto slot = static_cast<std::size_t>(std::ranges::upper_bound(edges_, low) - edges_.begin());
+    std::size_t slot = slot_of(low);
     double before = 0.0;
     for (; slot < edges_.size() && edges_[slot] < high; ++slot) {
       const double now = below(edges_[slot]);
@@ -37,8 +39,20 @@ class Slots {
   [[nodiscard]] std::vector<double> totals(const Ranks& ranks) const { return sums_.totals(ranks); }
 
  private:
+  /// Edges are about evenly spaced, so that a guess is nearly right; a search would miss the cache's and the
+  /// predictor's help.
+  [[nodiscard]] std::size_t slot_of(double x) const {
+    const double guess = (x - edges_.front()) * per_length_;
+    auto slot =
+        static_cast<std::size_t>(std::clamp(guess + 1.0, 0.0, static_cast<double>(edges_.size())));
+    while (slot > 0 && edges_[slot - 1] > x) --slot;
+    while (slot < edges_.size() && edges_[slot] <= x) ++slot;
+    return slot;
+  }
+
   std::vector<double> edges_;
   ExactSums sums_;
+  double per_length_;  ///< edges per length [1/m]
 };
 
 /// low, low + width, ..., high. The last bin takes what is left.

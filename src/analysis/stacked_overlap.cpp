@@ -14,8 +14,10 @@ namespace {
 class Breaks {
  public:
   Breaks(double radius, const Range& slab) : radius_(radius), slab_(slab) {
-    heights_[count_++] = slab.low;
-    heights_[count_++] = slab.high;
+    heights_[0] = slab.low;
+    heights_[1] = slab.high;
+    count_ = 2;
+    add(0.0);  // where a tube or plane all but touches the sphere
   }
 
   /// Where the disc of the stack has this radius.
@@ -38,7 +40,7 @@ class Breaks {
 
   double radius_;
   Range slab_;
-  std::array<double, 18> heights_{};  // two ends, two for each of up to eight discs
+  std::array<double, 19> heights_{};  // ends and middle, two for each of up to eight discs
   int count_ = 0;
 };
 

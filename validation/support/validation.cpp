@@ -62,9 +62,10 @@ int dispatch(std::span<char*> arguments, const Validation& validation) {
     for (const auto& piece : validation.pieces) fmt::print("{}\n", piece.name);
     return 0;
   }
+  if (words.size() == 1 && words[0] == "files") return 0;  // all is in the program
   if (words.size() == 2 && words[0] == "run") return run_piece(validation, words[1]);
   if (words.size() == 2 && words[0] == "judge") return judge(validation, words[1]);
-  throw ConfigError("a validation takes: pieces | run PIECE | judge FOLDER");
+  throw ConfigError("a validation takes: pieces | files | run PIECE | judge FOLDER");
 }
 
 }  // namespace

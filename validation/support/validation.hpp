@@ -45,7 +45,7 @@ struct Validation {
   std::function<std::vector<Check>(const Results&)> judge;
 };
 
-/// `pieces`: prints their names; `run PIECE`: its table on standard output; `judge FOLDER`: compares
+/// `pieces`: prints their names; `files`: nothing; `run PIECE`: its table on standard output; `judge FOLDER`: compares
 /// FOLDER/PIECE.csv of all pieces and prints one line per figure. Returns 0, or 1 for a figure
 /// outside its limits, or the code of what went wrong.
 int validation_main(int argc, char** argv, const Validation& validation);
