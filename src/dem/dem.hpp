@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,9 @@ struct DemOptions {
   double skin = 0.0;                ///< gap below which pairs are listed [m]; 0: chosen
   double overlap_limit = 0.3;       ///< of the smaller diameter; beyond it the run stops
   double load_tolerance = 1.2;      ///< beads of the fullest rank over the mean, before a new cut
+  /// Cells by which beads belong to ranks; rows of the key grid if there are none. Not copied: it may
+  /// be stretched during the run, alike on all ranks.
+  std::shared_ptr<const mesh::ColumnMesh> mesh = {};
 };
 
 /// What a look at the beds costs, so it is taken when asked for: forces at the present positions,
