@@ -12,6 +12,7 @@ namespace packbed::app {
 
 struct CheckCommand {
   std::filesystem::path file;
+  std::filesystem::path mesh_svg;  ///< file to draw the mesh to; empty: none
   bool json = false;
 };
 int check(const CheckCommand& command);

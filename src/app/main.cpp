@@ -42,6 +42,8 @@ void add_check(CLI::App& app, CheckCommand& options, Action& action) {
   auto* command = app.add_subcommand(
       "check", "Read a case and print it with every default filled in, and its figures");
   command->add_option("CASE", options.file, "Case file (TOML)")->required();
+  command->add_option("--mesh-svg", options.mesh_svg,
+                      "Also draw the cross-section of the mesh to this file (SVG)");
   add_json(*command, options.json);
   command->callback([&] { action = [&] { return check(options); }; });
 }

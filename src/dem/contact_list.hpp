@@ -72,6 +72,9 @@ class ContactList {
   [[nodiscard]] PairKey key(std::size_t k) const;
   [[nodiscard]] PairContact pair(std::size_t k) const;
   [[nodiscard]] std::vector<PairContact> pairs() const;
+  void set_coefficients(std::size_t k, const Coefficients& c) {
+    put(blocks[k / lanes].coefficient, static_cast<int>(k % lanes), {c.a, c.b, c.c});
+  }
 
   AlignedVector<ContactBlock> blocks{};
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "io/bead_csv.hpp"
+#include "mesh/cell_counts.hpp"
 #include "mesh/column_shape.hpp"
 #include "resin/size_distribution.hpp"
 #include "setup/echo.hpp"
@@ -27,8 +28,9 @@ struct Material {
 
 struct ColumnOptions {
   mesh::ColumnShape shape;
-  Material wall;  ///< of the tube, or of all walls of a box
-  Material frit;  ///< of both ends
+  Material wall;                          ///< of the tube, or of all walls of a box
+  Material frit;                          ///< of both ends
+  std::optional<mesh::MeshOptions> mesh;  ///< for the liquid; none when dry
   bool operator==(const ColumnOptions&) const = default;
 };
 

@@ -23,7 +23,7 @@ Case read_tables(const toml::table& table, Reading& reading) {
   if (!top.has("column")) {
     top.fail_missing("[column]", "is missing; a case has at least [column] and [resin]");
   }
-  c.column = read_column(top.table("column"));
+  c.column = read_column(top.table("column"), top.has("liquid"));
   c.beads = read_beads(top.table("beads"), c.column);
   c.resin = read_resin(top.table("resin"), reading.units, builtin_library(reading.units), c.beads,
                        c.column, top.has("liquid"));

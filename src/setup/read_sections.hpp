@@ -11,7 +11,8 @@
 
 namespace packbed::setup {
 
-ColumnOptions read_column(Section section);
+/// The column has a mesh if it `has_liquid`.
+ColumnOptions read_column(Section section, bool has_liquid);
 BeadOptions read_beads(Section section, const ColumnOptions& column);
 /// `library` has the resins that the program comes with; the case may add its own.
 /// Beads of a file that name their resin get its properties here.

@@ -28,26 +28,38 @@ std::string maybe(const std::string& key, const std::string& value) {
   return *rc::gen::arbitrary<bool>() ? fmt::format("{} = {}\n", key, value) : "";
 }
 
+std::string mesh(std::initializer_list<const char*> counts) {
+  auto text = "[column.mesh]\n" + maybe("cell", quantity(0.3, 1, {"mm"})) + maybe("layers", "60");
+  for (const auto* key : counts) text += maybe(key, "7");
+  return text;
+}
+
 std::string column() {
   std::string text = "[column]\n";
+  std::string cells;
+  const auto of_rectangles = {"cells_x", "cells_y"};
   switch (*rc::gen::inRange(0, 3)) {
     case 0:
+      cells = mesh(of_rectangles);
       text += fmt::format("shape = \"slice\"\ninner_diameter = {}\nslice_depth = {}\nheight = {}\n",
                           quantity(5, 20, {"mm"}), quantity(800, 2000, {"um", "µm"}),
                           quantity(5, 8, {"cm"}));
       break;
     case 1:
+      cells = mesh({"core", "ring"});
       text += fmt::format("shape = \"cylinder\"\ninner_diameter = {}\nheight = {}\n",
                           quantity(0.5, 2, {"cm", "inch"}), quantity(50, 80, {"mm"}));
       break;
     default:
+      cells = mesh(of_rectangles);
       text += fmt::format("shape = \"box\"\nsize = [{0}, {0}, {1}]\n", quantity(2, 4, {"mm"}),
                           quantity(50, 60, {"mm"}));
       text += maybe("boundaries", fmt::format("{{ x = \"{}\", z = \"wall\" }}",
                                               *element("periodic", "wall", "open")));
   }
   return text +
-         maybe("wall", fmt::format("{{ youngs_modulus = {} }}", quantity(1, 70, {"GPa", "kbar"})));
+         maybe("wall", fmt::format("{{ youngs_modulus = {} }}", quantity(1, 70, {"GPa", "kbar"}))) +
+         (*rc::gen::arbitrary<bool>() ? cells : "");
 }
 
 std::string sizes() {
