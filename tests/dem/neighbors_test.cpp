@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pairs against brute force, and what happens to springs at renewals. I-numbers: docs/theory/contact.md, section 9.
+// Pairs against brute force, and what happens to springs at renewals. I-numbers: docs/verification.md.
 #include "dem/neighbors.hpp"
 
 #include <algorithm>
