@@ -116,6 +116,14 @@ struct Compress {
   bool operator==(const Compress&) const = default;
 };
 
+/// The column is shaken: one period of a sine of acceleration per tap.
+struct Tap {
+  double amplitude;  ///< of the sine, as a displacement [m]
+  double frequency;  ///< [1/s]
+  std::int64_t count;
+  bool operator==(const Tap&) const = default;
+};
+
 struct ProtocolStep;
 
 struct Repeat {
@@ -125,7 +133,7 @@ struct Repeat {
 };
 
 struct ProtocolStep {
-  std::variant<Run, Settle, FlowRamp, Hold, Compress, Repeat> what;
+  std::variant<Run, Settle, Tap, FlowRamp, Hold, Compress, Repeat> what;
   bool operator==(const ProtocolStep& other) const;
 };
 

@@ -3,7 +3,7 @@
 
 namespace packbed::setup {
 
-NumericsOptions read_numerics(Section section) {
+NumericsOptions read_numerics(Section section, const std::vector<ProtocolStep>& protocol) {
   NumericsOptions numerics{};
   numerics.step =
       section.quantity_or_word("step", Dimension::time, bounds::positive, "auto", Fallback{"auto"});
@@ -13,6 +13,9 @@ NumericsOptions read_numerics(Section section) {
   numerics.background_damping = section.quantity_or_word(
       "background_damping", Dimension::time, bounds::positive, "none", Fallback{"none"});
   numerics.gravity = section.boolean("gravity", true);
+  if (!numerics.gravity && needs_gravity(protocol)) {
+    section.fail("gravity", "does not go with a step \"settle\" or \"tap\", which needs gravity");
+  }
   numerics.force_step = section.boolean("force_step", false);
   section.finish();
   return numerics;

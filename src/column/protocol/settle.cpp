@@ -8,15 +8,14 @@
 
 #include "column/protocol/settle_beads.hpp"
 #include "column/protocol/settled_porosity.hpp"
+#include "column/protocol/weight.hpp"
 #include "core/error.hpp"
 
 namespace packbed::column {
 namespace {
 
-constexpr double lid_away = 1e3;        // z of a lid that does not act [m]
 constexpr double loose_margin = 0.004;  // by which a bed is settled looser than it should be
 constexpr double landed_speed = 0.1;    // of a bead that falls no more / sqrt(g d / inertia scale)
-constexpr double steady = 1e-4;         // change of height in a slice / mean diameter
 constexpr std::int32_t most_falls = 2;
 constexpr std::int32_t most_count_changes = 6;
 constexpr std::int32_t most_corrections = 3;
@@ -74,20 +73,21 @@ void Settle::begin(dem::Dem& dem) {
   ++state_.falls;
 }
 
+void Settle::weigh(double liquid_density, dem::Dem& dem) const {
+  dem.set_weights(
+      [&](const auto& bead) { return weight_of(bead, options_.gravity, liquid_density); });
+}
+
 void Settle::fall(dem::Dem& dem) {
-  dem.set_weights([&](const auto& bead) { return dry_weight(options_, bead); });
+  weigh(0.0, dem);
   dem.set_friction(state_.friction);
   dem.set_rolling_friction(options_.resin_rolling_friction);
   enter_fall(dem);
 }
 
-// In this time a bead falls by half its diameter, or tips over.
-double Settle::falling_time(const dem::Dem& dem) const {
-  return std::sqrt(dem.options().inertia_scale * bed_.mean_diameter / options_.gravity);
-}
-
 void Settle::enter_fall(dem::Dem& dem) {
-  const double time = options_.fall_damping.value_or(4.0 * falling_time(dem));
+  const double time =
+      options_.fall_damping.value_or(4.0 * falling_time(bed_.mean_diameter, options_.gravity, dem));
   dem.set_background_damping(1.0 / time);
   enter(SettlePhase::fall, dem);
 }
@@ -138,21 +138,22 @@ void Settle::enter(SettlePhase phase, const dem::Dem& dem) {
 }
 
 void Settle::enter_rest(SettlePhase phase, dem::Dem& dem) {
-  const double time = options_.rest_damping.value_or(falling_time(dem));
+  const double time =
+      options_.rest_damping.value_or(falling_time(bed_.mean_diameter, options_.gravity, dem));
   dem.set_background_damping(1.0 / time);
   enter(phase, dem);
 }
 
 // Where a bead would be fast if it still fell, none is.
 bool Settle::has_landed(const dem::Dem& dem) const {
-  const double time = falling_time(dem);
+  const double time = falling_time(bed_.mean_diameter, options_.gravity, dem);
   const double speed = bed_.mean_diameter / time;
   return dem.time() - state_.phase_start > time && rest_.fastest < landed_speed * speed;
 }
 
 bool Settle::is_at_rest(double unbalanced) const {
   return rest_.unbalanced < unbalanced &&
-         std::abs(state_.bed_height - state_.height_before) < steady * bed_.mean_diameter;
+         is_steady(state_.bed_height, state_.height_before, bed_.mean_diameter);
 }
 
 double Settle::working_friction() const {
@@ -164,7 +165,7 @@ void Settle::after_rest(dem::Dem& dem) {
   if (options_.bed_height && !has_height(near_height, dem)) return;
   dem.set_friction(options_.resin_friction);
   dem.set_rolling_friction(options_.resin_rolling_friction);
-  dem.set_weights([&](const auto& bead) { return submerged_weight(options_, bead); });
+  weigh(options_.liquid_density, dem);
   enter_rest(SettlePhase::submerge, dem);
 }
 
@@ -266,7 +267,7 @@ void Settle::after_submerge(dem::Dem& dem) {
     refuse_porosity("cannot be met closely enough by a bed this small; it has");
   }
   state_.aim -= excess;
-  dem.set_weights([&](const auto& bead) { return dry_weight(options_, bead); });
+  weigh(0.0, dem);
   dem.set_friction(std::min(dem.options().model.friction, working_friction()));
   enter_rest(SettlePhase::rest, dem);
 }

@@ -19,6 +19,9 @@
 
 namespace packbed::column {
 
+/// z of a lid that does not act [m].
+inline constexpr double lid_away = 1e3;
+
 struct SettleOptions {
   mesh::ColumnShape shape;
   double gravity = 9.81;        ///< [m/s2]
@@ -100,6 +103,7 @@ class Settle {
   void run_densifying(dem::Dem& dem);
   void look(const dem::Dem& dem);
   void enter(SettlePhase phase, const dem::Dem& dem);
+  void weigh(double liquid_density, dem::Dem& dem) const;
   void enter_fall(dem::Dem& dem);
   void enter_rest(SettlePhase phase, dem::Dem& dem);
   void after_rest(dem::Dem& dem);
@@ -112,7 +116,6 @@ class Settle {
   bool has_height(double near, dem::Dem& dem);
   [[nodiscard]] bool has_landed(const dem::Dem& dem) const;
   [[nodiscard]] bool is_at_rest(double unbalanced) const;
-  [[nodiscard]] double falling_time(const dem::Dem& dem) const;
   [[nodiscard]] double working_friction() const;
   [[nodiscard]] double area() const { return mesh::cross_section(options_.shape); }
   [[noreturn]] void refuse_porosity(std::string_view why) const;
