@@ -98,7 +98,7 @@ class Simulation {
   }
 
   void carry_out_stage() {
-    const auto stage = make_stage(c_, now_.stage, choice_.step);
+    const auto stage = make_stage(c_, now_.stage, choice_);
     if (now_.stage_state.is_null()) {
       stage->begin(*dem_);
     } else {

@@ -7,6 +7,9 @@
 #include <limits>
 
 #include "column/protocol/run.hpp"
+#include "column/protocol/settle_stage.hpp"
+#include "column/protocol/tap_stage.hpp"
+#include "setup/make_settle.hpp"
 
 namespace packbed::app {
 namespace {
@@ -47,11 +50,18 @@ const setup::ProtocolStep& find(const Steps& steps, std::int64_t k) {
   return steps.back();
 }
 
+// Measured: beds of 8 to 31 mm take about so many from the cloud to rest.
+constexpr double steps_of_a_settling = 2.5e5;
+constexpr double steps_of_a_tap = 5e4;
+
 double steps_of(const setup::Case& c, const setup::ProtocolStep& step, double dt) {
   if (const auto* run = std::get_if<setup::Run>(&step.what)) {
     return static_cast<double>(column::plan_run(run->duration, dt, c.output.interval).steps);
   }
-  return 0.0;
+  if (const auto* tap = std::get_if<setup::Tap>(&step.what)) {
+    return steps_of_a_tap * static_cast<double>(tap->count + 1);
+  }
+  return steps_of_a_settling;
 }
 
 double steps_of_all(const setup::Case& c, const Steps& steps, double dt) {
@@ -69,6 +79,8 @@ bool are_known(const Steps& steps) {
   return std::ranges::all_of(steps, [](const auto& s) {
     const auto* repeat = std::get_if<setup::Repeat>(&s.what);
     return std::holds_alternative<setup::Run>(s.what) ||
+           std::holds_alternative<setup::Settle>(s.what) ||
+           std::holds_alternative<setup::Tap>(s.what) ||
            (repeat != nullptr && are_known(repeat->steps));
   });
 }
@@ -81,10 +93,21 @@ const setup::ProtocolStep& protocol_step(const setup::Case& c, std::int64_t k) {
   return find(c.protocol, k);
 }
 
-std::unique_ptr<column::Stage> make_stage(const setup::Case& c, std::int64_t k, double step) {
+std::unique_ptr<column::Stage> make_stage(const setup::Case& c,
+                                          std::int64_t k,
+                                          const dem::StepChoice& step) {
   const auto& what = protocol_step(c, k).what;
+  const double interval = c.output.interval;
+  if (const auto* settle = std::get_if<setup::Settle>(&what)) {
+    const bool first = k == 0 && setup::makes_beads(c) && setup::settles_first(c);
+    return std::make_unique<column::SettleStage>(setup::settle_options(c, *settle, step, first),
+                                                 interval);
+  }
+  if (const auto* tap = std::get_if<setup::Tap>(&what)) {
+    return std::make_unique<column::TapStage>(setup::tap_options(c, *tap, step), interval);
+  }
   const auto& run = std::get<setup::Run>(what);
-  return std::make_unique<column::RunStage>(column::plan_run(run.duration, step, c.output.interval),
+  return std::make_unique<column::RunStage>(column::plan_run(run.duration, step.step, interval),
                                             c.numerics.force_step);
 }
 
@@ -96,6 +119,8 @@ double expected_steps(const setup::Case& c, std::int64_t k, double step) {
   return steps_of(c, protocol_step(c, k), step);
 }
 
-bool can_simulate(const setup::Case& c) { return c.beads.csv && are_known(c.protocol); }
+bool can_simulate(const setup::Case& c) {
+  return (c.beads.csv || setup::makes_beads(c)) && are_known(c.protocol);
+}
 
 }  // namespace packbed::app

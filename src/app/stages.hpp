@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "column/protocol/stage.hpp"
+#include "dem/step_choice.hpp"
 #include "setup/case.hpp"
 
 namespace packbed::app {
@@ -18,10 +19,13 @@ std::int64_t stage_count(const setup::Case& c);
 /// Step of the protocol that stage k is, from 0.
 const setup::ProtocolStep& protocol_step(const setup::Case& c, std::int64_t k);
 
-/// Stage k, not begun. `step` is the recommended time step of the beads [s].
-std::unique_ptr<column::Stage> make_stage(const setup::Case& c, std::int64_t k, double step);
+/// Stage k, not begun. `step` as setup::step_of says.
+std::unique_ptr<column::Stage> make_stage(const setup::Case& c,
+                                          std::int64_t k,
+                                          const dem::StepChoice& step);
 
-/// Time steps of all stages, as far as they are known before; a double, as there may be any number.
+/// Time steps of all stages, those of settling as they are on the average; a double, as there may be
+/// any number. For progress lines.
 double expected_steps(const setup::Case& c, double step);
 /// Of stage k.
 double expected_steps(const setup::Case& c, std::int64_t k, double step);

@@ -52,9 +52,7 @@ void SettleStage::begin(dem::Dem& dem) {
 
 After SettleStage::advance(dem::Dem& dem) {
   if (!settle_.advance(dem)) return After::end;
-  if (dem.time() < next_output_) return After::goes_on;
-  while (next_output_ <= dem.time()) next_output_ += interval_;
-  return After::output;
+  return output_is_due(dem.time(), interval_, next_output_) ? After::output : After::goes_on;
 }
 
 // By phases: nobody knows beforehand how long a bed takes.

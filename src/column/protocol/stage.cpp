@@ -14,6 +14,12 @@ std::int64_t steps_per_slice(std::int64_t beads) {
   return std::clamp<std::int64_t>(bead_steps / std::max<std::int64_t>(beads, 1), 10, 1000);
 }
 
+bool output_is_due(double time, double interval, double& next) {
+  if (time < next) return false;
+  while (next <= time) next += interval;
+  return true;
+}
+
 void check_stable(const dem::Dem& dem, double step) {
   const auto limit = dem.stable();
   if (step <= limit.step) return;

@@ -53,6 +53,9 @@ class Stage {
 /// by a count that is the same on any computer.
 std::int64_t steps_per_slice(std::int64_t beads);
 
+/// Whether the time of the next output has come; `next` then moves on by whole intervals. All in s.
+bool output_is_due(double time, double interval, double& next);
+
 /// Throws DivergenceError if `step` [s] is above the stable one of the present contacts.
 void check_stable(const dem::Dem& dem, double step);
 
