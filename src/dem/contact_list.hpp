@@ -73,6 +73,9 @@ class ContactList {
   [[nodiscard]] PairContact pair(std::size_t k) const;
   [[nodiscard]] std::vector<PairContact> pairs() const;
 
+  /// Room for `count` pairs, so that blocks are not moved while they come.
+  void reserve(std::size_t count) { blocks.reserve((count + lanes - 1) / lanes); }
+
   AlignedVector<ContactBlock> blocks{};
 
  private:
