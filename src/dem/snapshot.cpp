@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/exact_sum.hpp"
 #include "dem/dem.hpp"
@@ -102,7 +103,7 @@ Snapshot Dem::snapshot() const {
     kinetic.push_back(0.5 * dot(v, v) / m.inv_mass + 0.5 * dot(w, w) / m.inv_inertia);
     unbalanced.push_back(norm(p.load[i].force + weight));
   }
-  rows = ranks_.gather(rows);
+  rows = ranks_.gather(std::move(rows));
   std::ranges::sort(rows, {}, [](const Row& row) { return row.bead.id; });
   for (const auto& row : rows) {
     s.beads.push_back(row.bead);
@@ -115,7 +116,8 @@ Snapshot Dem::snapshot() const {
 
   // A contact between two ranks counts on the rank of its first bead.
   ContactTerms pairs;
-  for (const auto& c : contacts.pairs()) {
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const auto c = contacts.pair(k);
     const auto i = static_cast<std::size_t>(c.i);
     const auto j = static_cast<std::size_t>(c.j);
     if (!p.is_own(i)) continue;
