@@ -126,6 +126,9 @@ Dem::Dem(const DemOptions& options, const DemState& all, Lists lists, const Rank
       bead_count_(static_cast<std::int64_t>(all.beads.size())),
       partition_(options.domain, all.progress.cell, ranks) {
   take_over(all.progress);
+  for (const auto& bead : all.beads) {
+    largest_diameter_ = std::max(largest_diameter_, bead.properties.diameter);
+  }
   particles_.rank = ranks_.rank();
   if (lists == Lists::as_saved) {
     restore_lists(all);
@@ -164,7 +167,8 @@ void Dem::restore_lists(const DemState& all) {
   std::vector<const BeadState*> here;
   for (const auto& bead : all.beads) {
     const int owner = partition_.owner(bead.far_reference);
-    const auto near = partition_.owners_within(bead.far_reference, cell_ + options_.skin);
+    const auto near =
+        partition_.owners_within(bead.far_reference, largest_diameter_ + options_.skin);
     if (owner != ranks_.rank() && std::ranges::find(near, ranks_.rank()) == near.end()) continue;
     const auto motion = motion_of(bead.properties, bead.far_reference, bead.v);
     add(particles_, motion, {.w = bead.w, .half_radius = 0.25 * bead.properties.diameter},
@@ -200,7 +204,7 @@ void Dem::restore_lists(const DemState& all) {
 
 // As at the start of a run, but with springs: rank 0 has all beads, and the renewal deals them out.
 void Dem::start_anew(const DemState& all) {
-  for (const auto& bead : all.beads) cell_ = std::max(cell_, bead.properties.diameter);
+  cell_ = std::max(cell_, largest_diameter_);
   partition_ = Partition(options_.domain, cell_, ranks_);
   particles_ = make_particles({}, 1.0);
   particles_.rank = ranks_.rank();
