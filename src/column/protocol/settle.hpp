@@ -72,7 +72,9 @@ struct SettleState {
   std::int64_t next_id = 0;       ///< of the next bead that is added
   double friction = 0.0;          ///< bead on bead, at which the bed settles
   double looseness = 1.0;         ///< share of friction that densification has left
-  double aim = 0.0;               ///< porosity at which densification ends
+  double aim = 0.0;               ///< porosity of the dry bed
+  double sag = 3e-3;              ///< porosity lost after a densification; before the first a guess
+  double stopped_at = 0.0;        ///< porosity at which one was ended just now; 0 otherwise
   // Figures of the last slice.
   double bed_height = 0.0;  ///< [m]
   double porosity = 1.0;
@@ -110,6 +112,7 @@ class Settle {
   void after_densify(dem::Dem& dem);
   void after_submerge(dem::Dem& dem);
   void loosen(dem::Dem& dem);
+  void set_looseness(double looseness, dem::Dem& dem);
   void fall_again(dem::Dem& dem);
   void finish(dem::Dem& dem);
   bool has_porosity(dem::Dem& dem);
