@@ -3,12 +3,16 @@
 
 /// @file
 /// Beads sorted into cells, one number of each bead beside the other, so that distances are compared
-/// eight at a time. Cells along x stand side by side, so that neighbors come in rows.
+/// four at a time. Cells along x stand side by side, so that neighbors come in rows.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+
+#ifdef __AVX__
+#include <immintrin.h>
+#endif
 
 #include "core/aligned.hpp"
 #include "dem/domain.hpp"
@@ -18,7 +22,7 @@ namespace packbed::dem {
 
 class CellGrid {
  public:
-  static constexpr std::size_t lanes = 8;
+  static constexpr std::size_t lanes = 4;
 
   /// Cells are at least `width` wide [m]; wider where beads lie far apart.
   CellGrid(const Particles& particles, const Domain& domain, double width);
@@ -72,23 +76,20 @@ class CellGrid {
     }
   }
 
-  /// One bit for each of eight beads from the k-th on that is near and not larger.
+  /// One bit for each of four beads from the k-th on that is near and not larger.
   [[nodiscard]] unsigned near_lanes(std::size_t k, const Vec3& x, double radius, double gap) const {
-    using Eight = double __attribute__((vector_size(64), aligned(8), may_alias));
-    const auto at = [k](const AlignedVector<double>& a) {
-      return reinterpret_cast<const Eight&>(a[k]);
-    };
-    const Eight dx = x.x - at(x_);
-    const Eight dy = x.y - at(y_);
-    const Eight dz = x.z - at(z_);
-    const Eight r = at(radius_);
-    const Eight near = radius + r + gap;
+    using Four = double __attribute__((vector_size(32), aligned(8), may_alias));
+    const Four dx = x.x - reinterpret_cast<const Four&>(x_[k]);
+    const Four dy = x.y - reinterpret_cast<const Four&>(y_[k]);
+    const Four dz = x.z - reinterpret_cast<const Four&>(z_[k]);
+    const Four r = reinterpret_cast<const Four&>(radius_[k]);
+    const Four near = radius + r + gap;
     const auto is_near = (dx * dx + dy * dy + dz * dz < near * near) & (r <= radius);
-#ifdef __AVX512DQ__
-    return static_cast<unsigned char>(_mm512_movepi64_mask(reinterpret_cast<__m512i>(is_near)));
+#ifdef __AVX__
+    return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(is_near)));
 #else
     unsigned bits = 0;
-    for (int lane = 0; lane < 8; ++lane) bits |= is_near[lane] != 0 ? 1U << lane : 0U;
+    for (int lane = 0; lane < 4; ++lane) bits |= is_near[lane] != 0 ? 1U << lane : 0U;
     return bits;
 #endif
   }
