@@ -21,13 +21,17 @@ struct Case {
   std::int64_t steps;   // that one iteration times
 };
 
-dem::Dem& ready(const Case& c) {
+const benchmarks::Bed& bed_of(const std::string& name) {
   static std::map<std::string, benchmarks::Bed> beds;
+  if (!beds.contains(name)) beds[name] = benchmarks::packed_bed(name);
+  return beds[name];
+}
+
+dem::Dem& ready(const Case& c) {
   static std::map<std::pair<std::string, double>, std::unique_ptr<dem::Dem>> dems;
   auto& dem = dems[{c.bed, c.step}];
   if (!dem) {
-    if (!beds.contains(c.bed)) beds[c.bed] = benchmarks::packed_bed(c.bed);
-    dem = std::make_unique<dem::Dem>(benchmarks::make_dem(beds[c.bed], c.step));
+    dem = std::make_unique<dem::Dem>(benchmarks::make_dem(bed_of(c.bed), c.step));
     dem->run(c.settle);
   }
   return *dem;
@@ -74,17 +78,12 @@ void wall_forces(benchmark::State& state, const Case& c) {
   count_beads(state, dem);
 }
 
-dem::Domain domain_of(const Case& c) {
-  const auto bed = benchmarks::packed_bed(c.bed);
-  return {.low = {}, .size = {bed.width_x, bed.width_y, 1.0}, .periodic = {true, true, false}};
-}
-
 constexpr double skin = 20e-6;   // [m]
 constexpr double cell = 428e-6;  // [m]
 
 void order_beads(benchmark::State& state, const Case& c) {
   const auto& dem = ready(c);
-  const auto domain = domain_of(c);
+  const auto domain = benchmarks::domain_of(bed_of(c.bed));
   for (auto _ : state) {
     benchmark::DoNotOptimize(dem::key_order(dem.particles(), domain, cell));
   }
@@ -93,9 +92,11 @@ void order_beads(benchmark::State& state, const Case& c) {
 
 void search_pairs(benchmark::State& state, const Case& c) {
   const auto& dem = ready(c);
-  const auto domain = domain_of(c);
-  for (auto _ : state) benchmark::DoNotOptimize(dem::find_pairs(dem.particles(), domain, skin));
+  const auto domain = benchmarks::domain_of(bed_of(c.bed));
+  std::size_t pairs = 0;
+  for (auto _ : state) pairs = dem::find_pairs(dem.particles(), domain, skin).size();
   count_beads(state, dem);
+  state.counters["pairs"] = static_cast<double>(pairs);
 }
 
 void add(const std::string& name, auto function, auto... arguments) {
@@ -106,12 +107,17 @@ void add(const std::string& name, auto function, auto... arguments) {
 
 void add_all() {
   const Case b2k{"b2k", 1e-6, 6000, 400};
-  const Case b18k{"b18k", 1e-6, 6000, 100};
   const Case boiling{"b18k", 2e-6, 1000, 500};
-  const Case b1m{"b1m", 1e-6, 500, 10};
-  for (const auto& c : {b2k, b18k, b1m}) add("step/" + c.bed, whole_steps, c);
+  const std::vector<Case> cases = {b2k,
+                                   {"b18k", 1e-6, 6000, 100},
+                                   {"s18k", 1e-6, 6000, 100},
+                                   {"equal20k", 1e-6, 6000, 100},
+                                   {"wide20k", 5e-7, 6000, 100},
+                                   {"b223k", 1e-6, 1000, 20},
+                                   {"b1m", 1e-6, 500, 10}};
+  for (const auto& c : cases) add("step/" + c.bed, whole_steps, c);
   add("step_boiling/b18k", whole_steps, boiling);
-  for (const auto& c : {b2k, b18k, b1m}) {
+  for (const auto& c : cases) {
     add("contacts/" + c.bed, contact_forces, c, model);
     add("walls/" + c.bed, wall_forces, c);
     add("order/" + c.bed, order_beads, c);

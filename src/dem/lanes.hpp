@@ -3,9 +3,11 @@
 
 /// @file
 /// The beads of a block of contacts brought into lanes, and the forces of the lanes brought back to
-/// the beads, one contact after the other. With AVX-512 records are read and written whole and
-/// turned into lanes by transposing 8 x 8 numbers in registers; else plain loops do the same. Both
-/// do the same arithmetic in the same order.
+/// the beads, one contact after the other. Records are read and written whole and turned into lanes by
+/// transposing 8 x 8 numbers in registers with AVX-512, 4 x 4 without. Both do the same arithmetic in
+/// the same order.
+
+#include <cstring>
 
 #include "dem/contact_list.hpp"
 #include "dem/particles.hpp"
@@ -48,10 +50,12 @@ inline void prefetch_block(const ContactBlock& block) {
   for (std::size_t k = 0; k < sizeof(ContactBlock); k += 64) __builtin_prefetch(line + k, 1);
 }
 
+/// Four numbers in a register, or in two.
+using Four = double __attribute__((vector_size(32), may_alias));
+
 #ifdef __AVX512F__
 
 using Eight = double __attribute__((vector_size(64), may_alias));
-using Four = double __attribute__((vector_size(32), may_alias));
 
 /// {a, a}, loaded at once.
 inline Eight twice(const Four& a) { return _mm512_maskz_broadcast_f64x4(0xff, a); }
@@ -154,37 +158,84 @@ inline void scatter(const ContactBlock& block, const Forces& forces, Particles& 
 
 #else
 
+/// Row k of a becomes column k.
+inline void transpose(Four (&a)[4]) {
+  const Four even_01 = __builtin_shufflevector(a[0], a[1], 0, 4, 2, 6);
+  const Four odd_01 = __builtin_shufflevector(a[0], a[1], 1, 5, 3, 7);
+  const Four even_23 = __builtin_shufflevector(a[2], a[3], 0, 4, 2, 6);
+  const Four odd_23 = __builtin_shufflevector(a[2], a[3], 1, 5, 3, 7);
+  a[0] = __builtin_shufflevector(even_01, even_23, 0, 1, 4, 5);
+  a[1] = __builtin_shufflevector(odd_01, odd_23, 0, 1, 4, 5);
+  a[2] = __builtin_shufflevector(even_01, even_23, 2, 3, 6, 7);
+  a[3] = __builtin_shufflevector(odd_01, odd_23, 2, 3, 6, 7);
+}
+
+/// Column c of four rows goes to out + c * stride.
+inline void store_columns(Four (&row)[4], double* out, int columns) {
+  transpose(row);
+  for (int c = 0; c < columns; ++c) *reinterpret_cast<Four*>(out + c * lanes) = row[c];
+}
+
 inline void gather_records(const ContactBlock& block,
                            const Particles& particles,
                            Relative& relative) {
-  const Motion* motion = particles.motion.data();
-  const Spin* spin = particles.spin.data();
-  for (int lane = 0; lane < lanes; ++lane) {
-    const auto i = block.i[lane];
-    const auto j = block.j[lane];
-    put(relative.x, lane, motion[i].x - motion[j].x);
-    put(relative.v, lane, motion[i].v - motion[j].v);
-    put(relative.sum_w, lane, spin[i].w + spin[j].w);
-    put(relative.diff_w, lane, spin[i].w - spin[j].w);
-    relative.mean_r[lane] = spin[i].half_radius + spin[j].half_radius;
-    relative.half_diff_r[lane] = spin[i].half_radius - spin[j].half_radius;
+  const auto* motion = reinterpret_cast<const Four*>(particles.motion.data());  // two of each bead
+  const auto* spin = reinterpret_cast<const Four*>(particles.spin.data());
+  for (int lane = 0; lane < lanes; lane += 4) {
+    Four place[4];  // and v.x
+    Four speed[4];
+    Four sum[4];
+    Four difference[4];
+#pragma GCC unroll 4
+    for (int k = 0; k < 4; ++k) {
+      const std::ptrdiff_t i = block.i[lane + k];
+      const std::ptrdiff_t j = block.j[lane + k];
+      place[k] = motion[2 * i] - motion[2 * j];
+      speed[k] = motion[2 * i + 1] - motion[2 * j + 1];
+      sum[k] = spin[i] + spin[j];
+      difference[k] = spin[i] - spin[j];
+    }
+    store_columns(place, &relative.x[0][lane], 4);
+    store_columns(speed, &relative.v[1][lane], 2);
+    store_columns(sum, &relative.sum_w[0][lane], 4);
+    store_columns(difference, &relative.diff_w[0][lane], 4);
   }
 }
 
 inline void scatter(const ContactBlock& block, const Forces& forces, Particles& particles) {
-  Load* load = particles.load.data();
-  for (int lane = 0; lane < lanes; ++lane) {
-    Load& i = load[block.i[lane]];
-    Load& j = load[block.j[lane]];
-    const Vec3 force = get(forces.force, lane);
-    i.force += force;
-    i.torque += get(forces.torque_i, lane);
-    j.force -= force;
-    j.torque += get(forces.torque_j, lane);
+  auto* load = reinterpret_cast<Four*>(particles.load.data());  // two of each bead
+  for (int lane = 0; lane < lanes; lane += 4) {
+    const auto rows = [lane](const double(&a)[3][lanes], Four(&out)[4]) {
+      for (int c = 0; c < 3; ++c) out[c] = *reinterpret_cast<const Four*>(&a[c][lane]);
+      out[3] = Four{};
+      transpose(out);
+    };
+    Four force[4];
+    Four torque_i[4];
+    Four torque_j[4];
+    rows(forces.force, force);
+    rows(forces.torque_i, torque_i);
+    rows(forces.torque_j, torque_j);
+#pragma GCC unroll 4
+    for (int k = 0; k < 4; ++k) {
+      const std::ptrdiff_t i = block.i[lane + k];
+      const std::ptrdiff_t j = block.j[lane + k];
+      load[2 * i] += force[k];
+      load[2 * i + 1] += torque_i[k];
+      load[2 * j] -= force[k];
+      load[2 * j + 1] += torque_j[k];
+    }
   }
 }
 
 #endif
+
+/// Whether one of the images of an axis is shifted.
+inline bool any_shifted(const std::int8_t (&image)[lanes]) {
+  std::uint64_t words[lanes / 8];
+  std::memcpy(words, image, sizeof(words));
+  return (words[0] | words[1] | words[2] | words[3]) != 0;
+}
 
 /// Relative motion of the pairs of a block; images of j are shifted by whole box lengths.
 inline void gather(const ContactBlock& block,
@@ -194,6 +245,7 @@ inline void gather(const ContactBlock& block,
   gather_records(block, particles, relative);
   const double size[3] = {box.x, box.y, box.z};
   for (int axis = 0; axis < 3; ++axis) {
+    if (!any_shifted(block.image[axis])) continue;
     for (int lane = 0; lane < lanes; ++lane) {
       relative.x[axis][lane] -= size[axis] * block.image[axis][lane];
     }

@@ -173,7 +173,7 @@ dem::StepChoice step_of(const Case& c) {
   return choice;
 }
 
-dem::Dem make_dem(const Case& c, double step, const Ranks& ranks) {
+dem::DemOptions options_of(const Case& c, double step) {
   dem::DemOptions options;
   options.domain = domain_of(c.column.shape);
   options.model = contact_model(c);
@@ -181,13 +181,17 @@ dem::Dem make_dem(const Case& c, double step, const Ranks& ranks) {
   options.inertia_scale = c.numerics.inertia_scale.value_or(1.0);
   if (c.numerics.background_damping)
     options.background_damping = 1.0 / *c.numerics.background_damping;
+  return options;
+}
+
+dem::Dem make_dem(const Case& c, double step, const Ranks& ranks) {
   auto walls = make_walls(c);
   if (makes_beads(c) && settles_first(c)) {
     for (auto& wall : walls) {
       if (wall.name == "lid") std::get<dem::Plane>(wall.surface).point.z = column::lid_away;
     }
   }
-  return {options, make_beads(c), std::move(walls), ranks};
+  return {options_of(c, step), make_beads(c), std::move(walls), ranks};
 }
 
 }  // namespace packbed::setup

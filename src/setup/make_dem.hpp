@@ -33,6 +33,9 @@ std::vector<dem::BeadStart> make_beads(const Case& c);
 /// to be made, the smallest and the mean one of the size distribution stand for them.
 dem::StepChoice step_of(const Case& c);
 
+/// Domain, laws and numerics of a case.
+dem::DemOptions options_of(const Case& c, double step);
+
 /// Beads, walls and laws of a case. The lid is out of the way if a cloud is to settle first.
 dem::Dem make_dem(const Case& c, double step, const Ranks& ranks);
 

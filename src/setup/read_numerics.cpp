@@ -32,6 +32,15 @@ OutputOptions read_output(Section section, const std::filesystem::path& case_fil
   output.interval =
       section.quantity("interval", Dimension::time, bounds::positive, Fallback{"10 ms"});
   output.beads_csv = section.boolean("beads_csv", false);
+  output.frames = section.boolean("frames", true);
+  if (output.frames) {
+    output.frame_interval = section.quantity_or_word(
+        "frame_interval", Dimension::time, bounds::positive, "stage ends", Fallback{"stage ends"});
+  } else {
+    section.refuse("frame_interval", "applies only to frames = true");
+  }
+  output.checkpoint_interval = section.quantity_or_word(
+      "checkpoint_interval", Dimension::time, bounds::positive, "none", Fallback{"10 min"});
   section.finish();
   return output;
 }

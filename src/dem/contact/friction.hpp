@@ -36,6 +36,51 @@ struct ContactLoad {
   Vec3 rolling;     ///< [N m]
 };
 
+// A contact in three parts: the normal law and the tangential spring as if it sticks, the Coulomb limit,
+// rolling. evaluate_contact() does all of them.
+
+/// Turns the spring into the present contact plane and moves it on by dt; gives the slip u_t [m/s].
+template <class Law>
+inline Response press(const Law& law,
+                      double dt,
+                      const Kinematics& c,
+                      const Coefficients& k,
+                      Vec3& spring,
+                      Vec3& slip) {
+  const Vec3 n = c.normal;
+  const double v_n = dot(c.velocity, n);
+  slip = c.velocity - v_n * n - cross(c.surface, n);
+  spring = spring - dot(spring, n) * n + dt * slip;
+  return law(c.overlap, v_n, k);
+}
+
+/// The Coulomb limit: cuts the spring back and returns the tangential force.
+inline Vec3 hold(const Response& r, double mu, bool touches, const Vec3& slip, Vec3& spring) {
+  constexpr double tiny = 1e-300;  // 0 / 0 of contacts without force gives 0
+  const double trial = r.k_t * norm(spring);
+  const double limit = mu * std::abs(r.f_n);
+  const bool slides = trial >= limit;  // without friction there is no dashpot either
+  const double keep = slides ? limit / (trial + tiny) : 1.0;
+  spring *= touches ? keep : 0.0;
+  const double gamma_t = slides || !touches ? 0.0 : r.gamma_t;
+  return -r.k_t * spring - gamma_t * slip;
+}
+
+/// Rolling torque on i from the relative spin w_i - w_j; moves the rolling spring on.
+template <class Rolling>
+inline Vec3 roll(const Rolling& rolling,
+                 const RollingContact& c,
+                 bool touches,
+                 const Vec3& n,
+                 const Vec3& spin,
+                 Vec3& angle) {
+  angle = angle - dot(angle, n) * n;
+  Vec3 torque = rolling(spin - dot(spin, n) * n, c, angle);
+  angle *= touches ? 1.0 : 0.0;
+  torque *= touches ? 1.0 : 0.0;
+  return torque;
+}
+
 /// Evaluates one contact and moves its springs on by dt.
 ///
 ///   F_t = -k_t spring - gamma_t u_t    while k_t |spring| <  mu |F_n|  (sticking)
@@ -52,33 +97,16 @@ inline ContactLoad evaluate_contact(const Law& law,
                                     const Kinematics& c,
                                     const Coefficients& k,
                                     History& history) {
-  constexpr double tiny = 1e-300;  // 0 / 0 of contacts without force gives 0
-  const Vec3 n = c.normal;
-  const double v_n = dot(c.velocity, n);
-  const Vec3 u_t = c.velocity - v_n * n - cross(c.surface, n);
-  const Response r = law(c.overlap, v_n, k);
-  const double f_n = std::abs(r.f_n);
-
-  Vec3 spring = history.spring - dot(history.spring, n) * n + dt * u_t;
-  const double trial = r.k_t * norm(spring);
-  const double limit = mu * f_n;
-  const bool slides = trial >= limit;  // without friction there is no dashpot either
-  const bool touches = c.overlap > 0.0;
-  const double keep = slides ? limit / (trial + tiny) : 1.0;
-  spring *= touches ? keep : 0.0;
-  const double gamma_t = slides || !touches ? 0.0 : r.gamma_t;
-
-  Vec3 angle = history.angle - dot(history.angle, n) * n;
-  const Vec3 w_r = c.spin - dot(c.spin, n) * n;
-  const double f_elastic = law(c.overlap, 0.0, k).f_n;
-  const RollingContact rc{
-      .r_eff = c.r_eff, .f_n = f_n, .f_elastic = f_elastic, .k_t = r.k_t, .dt = dt};
-  Vec3 torque = rolling(w_r, rc, angle);
-  angle *= touches ? 1.0 : 0.0;
-  torque *= touches ? 1.0 : 0.0;
-
-  history = {spring, angle};
-  return {.normal = r.f_n * n, .tangential = -r.k_t * spring - gamma_t * u_t, .rolling = torque};
+  Vec3 slip;
+  const Response r = press(law, dt, c, k, history.spring, slip);
+  const Vec3 tangential = hold(r, mu, c.overlap > 0.0, slip, history.spring);
+  const RollingContact rc{.r_eff = c.r_eff,
+                          .f_n = std::abs(r.f_n),
+                          .f_elastic = law(c.overlap, 0.0, k).f_n,
+                          .k_t = r.k_t,
+                          .dt = dt};
+  const Vec3 torque = roll(rolling, rc, c.overlap > 0.0, c.normal, c.spin, history.angle);
+  return {.normal = r.f_n * c.normal, .tangential = tangential, .rolling = torque};
 }
 
 }  // namespace packbed::dem

@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Our time steps against those of LIGGGHTS on the same bed, in turn on one core, by processor time.
+#
+#   benchmarks/compare_liggghts.sh BED [ROUNDS]      BED: b2k, b18k, s18k, b223k, b1m
+#
+# Needs LIGGGHTS (apt-get install --no-install-recommends liggghts, or LIGGGHTS=/path/to/it) and our programs
+# (./packbed benchmark builds them). STEP [s], WARM, COUNT and REPEATS may be set; CORE is the core used.
+# A figure of LIGGGHTS is the processor time of a run less that of a run that only reads and warms up.
+set -euo pipefail
+
+here=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")" && pwd)
+bed=${1:?a bed: b2k, b18k, s18k, b223k or b1m}
+rounds=${2:-5}
+programs=${PROGRAMS:-$here/../build/benchmark/benchmarks}
+liggghts=${LIGGGHTS:-liggghts}
+export PACKBED_BEDS=${PACKBED_BEDS:-$here/../build/beds}
+step=${STEP:-1e-6} core=${CORE:-0}
+case $bed in
+  b2k) warm=2000 count=2000 ;;
+  b18k | s18k) warm=1000 count=300 ;;
+  b223k) warm=100 count=40 ;;
+  b1m) warm=20 count=10 ;;
+  *) echo "no bed called $bed" >&2; exit 1 ;;
+esac
+warm=${WARM:-$warm} count=${COUNT:-$count} repeats=${REPEATS:-3}
+mkdir -p "$PACKBED_BEDS"
+file=$PACKBED_BEDS/$bed.data
+[[ -f $file ]] || "$programs/write_bed" "$bed" "$file"
+xb=p xw=0
+grep -q '^bed, walls in x' "$file" && xb=f xw=1
+lx=$(awk '/xlo/ { print $2 }' "$file")
+beads=$(awk '/ atoms/ { print $1 }' "$file")
+
+# seconds COMMAND...: its processor time.
+seconds() {
+  local TIMEFORMAT='%U %S' used
+  used=$({ time taskset -c "$core" "$@" >/dev/null 2>&1; } 2>&1)
+  awk '{ print $1 + $2 }' <<<"$used"
+}
+
+run_liggghts() { # WARM COUNT
+  seconds "$liggghts" -in "$here/in.liggghts" -var bed "$file" -var xb $xb -var xw $xw -var lx "$lx" \
+    -var dt "$step" -var warm "$1" -var n "$2" -var rep 1 -log none
+}
+
+median() { sort -g | awk '{ v[NR] = $1 } END { print (v[int((NR + 1) / 2)] + v[int(NR / 2) + 1]) / 2 }'; }
+
+ours=() theirs=() ratios=()
+for ((round = 1; round <= rounds; ++round)); do
+  a=$(taskset -c "$core" "$programs/time_steps" "$bed" "$step" "$warm" "$count" "$repeats" |
+    awk '/processor time/ { print $9 }' | median)
+  total=$((count * repeats))
+  b=$(awk -v n="$beads" -v s="$total" -v long="$(run_liggghts "$warm" "$total")" \
+    -v short="$(run_liggghts "$warm" 0)" 'BEGIN { print 1e-6 * n * s / (long - short) }')
+  ratio=$(awk -v a="$a" -v b="$b" 'BEGIN { print a / b }')
+  ours+=("$a") theirs+=("$b") ratios+=("$ratio")
+  echo "$bed round $round: packbed $a, LIGGGHTS $b million bead-steps/s, ratio $ratio"
+done
+echo "$bed median: packbed $(printf '%s\n' "${ours[@]}" | median)," \
+  "LIGGGHTS $(printf '%s\n' "${theirs[@]}" | median), ratio $(printf '%s\n' "${ratios[@]}" | median)"
