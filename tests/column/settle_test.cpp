@@ -88,10 +88,10 @@ TEST(Settle, GoesOnFromASavedStateWithTheSameBits) {
 }
 
 TEST(Settle, ReachesAPorosityBelowThatOfItsFriction) {
-  auto loose = cloud_of(500);
+  auto loose = cloud_of(300);
   loose.options.liquid_density = 0.0;
   const auto before = settle(loose);
-  auto s = cloud_of(500);
+  auto s = cloud_of(300);
   s.options.liquid_density = 0.0;
   s.options.porosity = before.porosity - 0.012;
   const auto end = settle(s);

@@ -17,7 +17,7 @@ namespace {
 // By which a bed is settled looser than it should be: the first time, and the second.
 constexpr double loose_margin = 0.004;
 constexpr double looser_margin = 0.010;
-constexpr double landed_speed = 0.1;  // of a bead that falls no more / sqrt(g d / inertia scale)
+constexpr double landed_speed = 0.3;  // of a bead that falls no more / sqrt(g d / inertia scale)
 constexpr std::int32_t most_falls = 2;
 constexpr std::int32_t most_count_changes = 6;
 constexpr std::int32_t most_corrections = 3;
