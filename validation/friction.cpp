@@ -25,7 +25,8 @@ Table path(double friction, std::uint64_t seed) {
   const dem::ContactModel model{
       .contact = test::hooke(0.5, false), .rolling = dem::NoRolling{}, .friction = friction};
   test::SphereBox box(model, count, start, seed, least_contacts);
-  return path_to_edge(box, {.exponent = 1.0, .at_rest = 1e-5, .least_excess = 2e-5});
+  box.set_least_damping(0.3);  // a slip that gains speed would shake the packing loose
+  return path_to_edge(box, {.exponent = 1.0, .at_rest = 1e-5, .least_excess = 2e-5, .step = 0.1});
 }
 
 std::string piece_name(double friction, int seed) { return fmt::format("mu{}-{}", friction, seed); }

@@ -50,10 +50,15 @@ run_piece() {
     say "$1 $2: broke off or took longer than $limit; see $results/$1/$2.log"
     return 1
   fi
+  if [[ $(fingerprint "$1") != "$3" ]]; then
+    rm -f "$table.part"
+    say "$1 $2: the program changed while it ran; call again"
+    return 1
+  fi
   mv "$table.part" "$table"
   say "$1 $2: $((SECONDS - began)) s"
 }
-export -f run_piece say
+export -f fingerprint run_piece say
 export programs results limit
 
 failed=0

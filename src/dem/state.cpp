@@ -186,10 +186,13 @@ void Dem::restore_lists(const DemState& all) {
   for (auto& p : pairs) p.coefficients = coefficients_of(p);
   std::ranges::sort(pairs, {}, [](const PairKey& p) -> const PairKey& { return p; });
   contacts_ = ContactList(pairs, options_.domain, static_cast<std::int32_t>(particles_.size()));
-  list_near_pairs();
+  list_near_pairs(OldContacts(contacts_));
   wall_contacts_ = placed(all.wall_contacts, places, particles_, walls_.size());
   for (std::size_t w = 0; w < walls_.size(); ++w) fill_coefficients(walls_[w], wall_contacts_[w]);
-  if (ranks_.size() > 1) halo_ = HaloExchange(particles_, far_pairs_, ranks_);
+  if (ranks_.size() > 1) {
+    own_runs_ = own_runs(particles_);
+    halo_ = HaloExchange(particles_, far_pairs_, ranks_);
+  }
 
   far_reference_.resize(particles_.size() + 2);
   for (std::size_t i = 0; i < order.size(); ++i) {

@@ -125,7 +125,7 @@ struct Pressed {
   Snapshot end;
 };
 
-Pressed press(double scale, double speed, double strain) {
+Pressed press(double scale, double speed, double strain, double friction) {
   const double pitch = 0.86 * diameter_s;
   const double height = layers * pitch;
   std::vector<BeadStart> beads;
@@ -142,14 +142,14 @@ Pressed press(double scale, double speed, double strain) {
            .surface = Plane{.point = {0, 0, height}, .normal = {0, 0, -1}},
            .material = plate,
            .velocity = {},
-           .friction = 0.1};
-  auto o = options(hooke(0.5, false), 2e-7 * std::sqrt(scale), 0.1, ElasticPlastic{0.1});
+           .friction = friction};
+  auto o = options(hooke(0.5, false), 2e-7 * std::sqrt(scale), friction, ElasticPlastic{friction});
   o.domain = {.low = {},
               .size = {across * pitch, across * pitch, 2 * height},
               .periodic = {true, true, false}};
   o.inertia_scale = scale;
   o.background_damping = 5e4 / std::sqrt(scale);
-  Dem dem(o, beads, {floor_at(0, 0.1), lid});
+  Dem dem(o, beads, {floor_at(0, friction), lid});
   dem.run(4000);  // comes to rest
   dem.set_background_damping(0.0);
   dem.walls()[1].velocity = {0, 0, -speed};
@@ -169,28 +169,38 @@ Pressed press(double scale, double speed, double strain) {
   return result;
 }
 
-// The scale of the rule gives the plunger force of s = 1; a much larger one is found by the monitor.
-TEST(InertiaMonitor, FindsWhatTheRuleAvoids) {
-  constexpr double strain = 0.03;
-  constexpr double speed = 2e-3;
-  const auto choice = driven_inertia_scale(
-      {.speed = speed, .modulus = 3e5, .bulk_density = 0.7 * density_s, .strain = strain});
-  const auto plain = press(1.0, speed, strain);
-  const auto scaled = press(choice.scale, speed, strain);
-  const auto hasty = press(1e4 * choice.scale, speed, strain);
-  std::printf("held %.6e %.6e %.6e\n", plain.held, scaled.held, hasty.held);
-  std::printf("s %.1f: %.6e N, s = 1: %.6e N, s %.0f: %.6e N\n", choice.scale, scaled.force,
-              plain.force, 1e4 * choice.scale, hasty.force);
-  for (const auto* r : {&plain, &scaled, &hasty})
-    std::printf("kin/el %.3e unb %.3e\n", r->end.kinetic_energy / r->end.elastic_energy,
-                r->end.mean_unbalanced_force / r->end.mean_contact_force);
-  EXPECT_GT(choice.scale, 10.0);
-  EXPECT_NEAR(scaled.force / plain.force, 1.0, 5e-3);
-  EXPECT_FALSE(inertia_warning("press", choice.scale, scaled.end));
-  const auto warning = inertia_warning("press", 1e4 * choice.scale, hasty.end);
+constexpr double press_strain = 0.03;
+constexpr double press_speed = 2e-3;  // [m/s]
+
+InertiaChoice rule() {
+  return driven_inertia_scale({.speed = press_speed,
+                               .modulus = 3e5,
+                               .bulk_density = 0.7 * density_s,
+                               .strain = press_strain});
+}
+
+// The scale of the rule gives the plunger force of s = 1. With friction the start of the plunger, a
+// wave of v / c = 5e-4, lets some contacts slip that hold with s = 1: 1 % of the force.
+TEST(InertiaScale, OfTheRuleKeepsTheForceOfThePlunger) {
+  const double scale = rule().scale;
+  EXPECT_GT(scale, 10.0);
+  const struct { double friction, tolerance; } rows[] = {{0.0, 2e-3}, {0.1, 2e-2}};
+  for (const auto& [friction, tolerance] : rows) {
+    const auto plain = press(1.0, press_speed, press_strain, friction);
+    const auto scaled = press(scale, press_speed, press_strain, friction);
+    EXPECT_NEAR(scaled.force / plain.force, 1.0, tolerance) << friction;
+    EXPECT_NEAR(scaled.held / plain.held, 1.0, tolerance) << friction;
+    EXPECT_FALSE(inertia_warning("press", scale, scaled.end)) << friction;
+  }
+}
+
+TEST(InertiaMonitor, FindsAScaleThatIsMuchTooLarge) {
+  const double scale = 1e4 * rule().scale;
+  const auto warning =
+      inertia_warning("press", scale, press(scale, press_speed, press_strain, 0.1).end);
   ASSERT_TRUE(warning);
   EXPECT_THAT(*warning, HasSubstr("was too large"));
-  std::printf("%s\n", warning->c_str());
+  EXPECT_THAT(*warning, HasSubstr("would have been fine"));
 }
 
 }  // namespace

@@ -126,6 +126,9 @@ int check(int count, std::int64_t steps, const Sharing& sharing) {
   for (int look = 0; look < 4; ++look) {
     shared.run(steps / 4);
     alone.run(steps / 4);
+    if (look == 0) {
+      for (auto* dem : {&shared, &alone}) dem->scale_diameters(1.01);
+    }
     if (look == 1) {  // what one rank leaves all can take over, and the other way round
       const auto state = whole(shared.state(), ranks);
       shared = Dem(options_of_bed(sharing), alone.state(), Dem::Lists::as_saved, ranks);

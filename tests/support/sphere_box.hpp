@@ -47,6 +47,10 @@ class SphereBox {
   void set_solid_fraction(double phi) { dem_.scale_diameters(std::cbrt(phi / solid_fraction())); }
   [[nodiscard]] const dem::Dem& dem() const { return dem_; }
 
+  /// Background damping times `share` sqrt(k / m) at least, from now on: beads stop at once where
+  /// nothing pushes them.
+  void set_least_damping(double share) { least_damping_ = share; }
+
   /// Mean overlap of touching pairs over the diameter.
   [[nodiscard]] double strain() const { return dem_.snapshot().mean_overlap / diameter(); }
 
@@ -174,13 +178,15 @@ class SphereBox {
         model_.contact);
     const double w = std::sqrt(stiffness / mass_of(diameter(), density_s));
     dem_.set_step(0.15 / w);
-    dem_.set_background_damping(0.2 * std::pow(std::clamp(strain, 1e-7, 1e-2), 0.25) * w);
+    const double slow = 0.2 * std::pow(std::clamp(strain, 1e-7, 1e-2), 0.25);
+    dem_.set_background_damping(std::max(slow, least_damping_) * w);
   }
 
   dem::ContactModel model_;
   int count_;
   int least_contacts_;
   double side_;
+  double least_damping_ = 0.0;
   dem::Dem dem_;
 };
 

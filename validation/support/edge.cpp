@@ -26,31 +26,34 @@ double edge_of(const Table& t, double exponent) {
 Table path_to_edge(test::SphereBox& box, const EdgePath& path) {
   constexpr std::int64_t most_steps = 400000;
   constexpr double most_change = 0.005;
-  constexpr int most_states = 60;
+  constexpr int most_states = 100;
   Table t{.columns = {"solid_fraction", "pressure", "coordination", "carrying", "unbalanced"},
           .rows = {}};
   double next = box.solid_fraction();
   for (int state = 0; state < most_states; ++state) {
     box.set_solid_fraction(next);
-    const bool at_rest = box.relax(path.at_rest, most_steps);
+    const bool relaxed = box.relax(path.at_rest, most_steps);
     const auto f = box.figures();
+    const bool at_rest = relaxed && f.carrying > 0;
     fmt::print(stderr, "phi {:.8f} p {:.4e} z {:.4f} carrying {} unbalanced {:.1e}{}\n",
                f.solid_fraction, f.pressure, f.coordination, f.carrying, f.unbalanced,
-               at_rest ? "" : " not at rest");
+               at_rest ? "" : " loose");
     if (!at_rest) {  // too far, or loose: half the way back
       if (t.rows.empty()) throw DivergenceError("the packing does not come to rest under pressure");
-      next = 0.5 * (next + t.rows.back()[0]);
+      const double holds = t.rows.back()[0];
+      if (t.rows.size() > 1 && holds - next < path.least_excess) break;
+      next = 0.5 * (next + holds);
       continue;
     }
     t.rows.push_back({f.solid_fraction, f.pressure, f.coordination, static_cast<double>(f.carrying),
                       f.unbalanced});
     if (t.rows.size() < 2) {
-      next -= std::min(0.2 * std::pow(f.pressure, 1.0 / path.exponent), most_change);
+      next -= std::min(0.4 * path.step * std::pow(f.pressure, 1.0 / path.exponent), most_change);
       continue;
     }
     const double excess = next - edge_of(t, path.exponent);
     if (excess < path.least_excess) break;
-    next -= std::min(0.5 * excess, most_change);
+    next -= std::min(path.step * excess, most_change);
   }
   return t;
 }

@@ -14,9 +14,11 @@ struct EdgePath {
   double exponent;      ///< pressure ~ excess^exponent: 1 (Hooke), 1.5 (Hertz)
   double at_rest;       ///< unbalanced / contact force of a state
   double least_excess;  ///< of solid fraction over the edge, where the path ends
+  double step = 0.5;    ///< from state to state, over the excess
 };
 
-/// From a packing under pressure down to the edge, the excess halved from state to state (by at most 0.005).
+/// From a packing under pressure down to the edge, by a share of the excess from state to
+/// state, and by at most 0.005.
 /// Columns: solid_fraction, pressure, coordination, carrying, unbalanced (test::PackingFigures).
 Table path_to_edge(test::SphereBox& box, const EdgePath& path);
 
