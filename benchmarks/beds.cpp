@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "benchmarks/beds.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
+#include <filesystem>
 #include <numbers>
-#include <random>
-#include <sstream>
 #include <stdexcept>
+
+#include "benchmarks/bed_file.hpp"
+#include "benchmarks/random_bed.hpp"
 
 namespace packbed::benchmarks {
 namespace {
@@ -17,111 +17,6 @@ constexpr double density = 1140.0;    // [kg/m3]
 constexpr double body_force = 457.2;  // [m/s2]
 constexpr dem::Material resin{.youngs_modulus = 30e6, .poisson_ratio = 0.2};
 constexpr dem::Material steel{.youngs_modulus = 1e10, .poisson_ratio = 0.49};
-
-dem::BeadStart bead(std::size_t id, double diameter, const Vec3& x) {
-  const double mass = density * std::numbers::pi / 6.0 * diameter * diameter * diameter;
-  return {.properties = {.id = static_cast<std::int64_t>(id),
-                         .diameter = diameter,
-                         .mass = mass,
-                         .weight = body_force * mass,
-                         .material = resin},
-          .x = x,
-          .v = {},
-          .w = {}};
-}
-
-/// Box of cells as wide as the largest bead, periodic in x and y.
-struct Cells {
-  double lx, ly, lz;
-  int nx, ny, nz;
-  std::vector<std::vector<std::size_t>> beads;
-
-  Cells(double x, double y, double z, double width)
-      : lx(x),
-        ly(y),
-        lz(z),
-        nx(std::max(3, static_cast<int>(x / width))),
-        ny(std::max(3, static_cast<int>(y / width))),
-        nz(std::max(1, static_cast<int>(z / width))),
-        beads(static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) *
-              static_cast<std::size_t>(nz)) {}
-
-  [[nodiscard]] static int cell(double a, double length, int n) {
-    return std::clamp(static_cast<int>(a / length * n), 0, n - 1);
-  }
-  std::vector<std::size_t>& at(int x, int y, int z) {
-    return beads[static_cast<std::size_t>((z * ny + (y + ny) % ny) * nx + (x + nx) % nx)];
-  }
-};
-
-// Moves every overlapping pair apart along its line, each by half; returns the largest overlap over
-// the sum of the radii.
-double push_apart(const std::vector<double>& radius, std::vector<Vec3>& x, Cells& cells) {
-  for (auto& list : cells.beads) list.clear();
-  const auto home = [&](const Vec3& a) {
-    return std::array{Cells::cell(a.x, cells.lx, cells.nx), Cells::cell(a.y, cells.ly, cells.ny),
-                      Cells::cell(a.z, cells.lz, cells.nz)};
-  };
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const auto [a, b, c] = home(x[i]);
-    cells.at(a, b, c).push_back(i);
-  }
-  double worst = 0.0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const auto [a, b, c] = home(x[i]);
-    for (int cz = std::max(0, c - 1); cz <= std::min(cells.nz - 1, c + 1); ++cz) {
-      for (int near = 0; near < 9; ++near) {
-        for (const std::size_t j : cells.at(a + near % 3 - 1, b + near / 3 - 1, cz)) {
-          if (j <= i) continue;
-          Vec3 d = x[j] - x[i];
-          d.x -= cells.lx * std::round(d.x / cells.lx);
-          d.y -= cells.ly * std::round(d.y / cells.ly);
-          const double apart = radius[i] + radius[j];
-          const double r = norm(d) + 1e-12;
-          if (r >= apart) continue;
-          worst = std::max(worst, (apart - r) / apart);
-          const Vec3 move = (0.5 * (apart - r) / r) * d;
-          x[i] -= move;
-          x[j] += move;
-        }
-      }
-    }
-  }
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    x[i].x -= cells.lx * std::floor(x[i].x / cells.lx);
-    x[i].y -= cells.ly * std::floor(x[i].y / cells.ly);
-    x[i].z = std::clamp(x[i].z, radius[i], cells.lz - radius[i]);
-  }
-  return worst;
-}
-
-Bed random_bed(std::size_t count, double width, std::uint64_t seed) {
-  constexpr double solid_fraction = 0.58;
-  constexpr double coarse_grain = 3.0;
-  std::mt19937_64 random(seed);
-  std::normal_distribution<double> size(86.9e-6, 16.6e-6);
-  std::uniform_real_distribution<double> unit(0.0, 1.0);
-  std::vector<double> radius;
-  double volume = 0.0;
-  while (radius.size() < count) {
-    const double d = size(random);
-    if (d < 49.7e-6 || d > 142.7e-6) continue;
-    radius.push_back(0.5 * coarse_grain * d);
-    volume += 4.0 / 3.0 * std::numbers::pi * std::pow(radius.back(), 3);
-  }
-  const double height = volume / (solid_fraction * width * width);
-  std::vector<Vec3> x;
-  while (x.size() < count) {
-    const double a = width * unit(random);
-    const double b = width * unit(random);
-    x.push_back({a, b, height * unit(random)});
-  }
-  Cells cells(width, width, height, 2.0 * std::ranges::max(radius));
-  for (int round = 0; round < 1500 && push_apart(radius, x, cells) > 0.02;) ++round;
-  Bed bed{.beads = {}, .width_x = width, .width_y = width};
-  for (std::size_t i = 0; i < count; ++i) bed.beads.push_back(bead(i, 2.0 * radius[i], x[i]));
-  return bed;
-}
 
 Bed settled(const Bed& bed) {
   auto dem = make_dem(bed, 1e-6);
@@ -152,58 +47,73 @@ Bed tiled(const Bed& bed, int across, int along) {
   return big;
 }
 
-// A LAMMPS data file of atom style sphere: "id type diameter density x y z" after "Atoms".
-Bed read_bed(const std::string& file) {
-  std::ifstream in(file);
-  if (!in) throw std::runtime_error("cannot read " + file);
-  Bed bed;
-  bool atoms = false;
-  for (std::string line; std::getline(in, line);) {
-    std::istringstream words(line);
-    double low = 0.0;
-    double high = 0.0;
-    if (line.find("xlo") != std::string::npos && words >> low >> high) bed.width_x = high - low;
-    if (line.find("ylo") != std::string::npos && words >> low >> high) bed.width_y = high - low;
-    if (line.starts_with("Atoms")) atoms = true;
-    std::size_t id = 0;
-    int type = 0;
-    double d = 0.0;
-    double rho = 0.0;
-    Vec3 x;
-    if (atoms && words >> id >> type >> d >> rho >> x.x >> x.y >> x.z) {
-      bed.beads.push_back(bead(bed.beads.size(), d, x));
-    }
+/// A bed by its recipe.
+Bed generated(const std::string& name) {
+  if (name == "b2k") return settled(random_bed(coarse_grains(2200, 1), 1.5e-3, 1.5e-3, false, 1));
+  if (name == "b18k") return settled(random_bed(coarse_grains(18300, 2), 4.5e-3, 4.5e-3, false, 2));
+  if (name == "s18k") return settled(random_bed(coarse_grains(18300, 3), 10e-3, 0.8e-3, true, 3));
+  if (name == "equal20k") {
+    return settled(random_bed(std::vector(20000, 260e-6), 4.5e-3, 4.5e-3, false, 4));
   }
-  return bed;
+  if (name == "wide20k") {
+    return settled(random_bed(wide_sizes(20000, 474e-6, 10.0, 5), 5e-3, 5e-3, false, 5));
+  }
+  throw std::runtime_error("no bed called " + name +
+                           "; there are b2k, b18k, s18k, b223k, b1m, equal20k and wide20k");
 }
 
 }  // namespace
 
-Bed packed_bed(const std::string& name) {
-  if (name == "b1m") return tiled(packed_bed("b18k"), 7, 8);
-  if (const char* folder = std::getenv("PACKBED_BEDS")) {
-    return read_bed(std::string(folder) + "/" + name + ".data");
-  }
-  if (name == "b2k") return settled(random_bed(2200, 1.5e-3, 1));
-  if (name == "b18k") return settled(random_bed(18300, 4.5e-3, 2));
-  throw std::runtime_error("no bed called " + name);
+dem::BeadStart bead(std::size_t id, double diameter, const Vec3& x) {
+  const double mass = density * std::numbers::pi / 6.0 * diameter * diameter * diameter;
+  return {.properties = {.id = static_cast<std::int64_t>(id),
+                         .diameter = diameter,
+                         .density = density,
+                         .mass = mass,
+                         .weight = body_force * mass,
+                         .material = resin},
+          .x = x,
+          .v = {},
+          .w = {}};
 }
 
-dem::Dem make_dem(const Bed& bed, double step) {
+Bed packed_bed(const std::string& name) {
+  if (name == "b223k") return tiled(packed_bed("b18k"), 3, 4);
+  if (name == "b1m") return tiled(packed_bed("b18k"), 7, 8);
+  const char* folder = std::getenv("PACKBED_BEDS");
+  if (folder == nullptr) return generated(name);
+  const auto file = std::filesystem::path(folder) / (name + ".data");
+  if (!std::filesystem::exists(file)) write_bed(file.string(), generated(name));
+  return read_bed(file.string());
+}
+
+dem::Domain domain_of(const Bed& bed) {
+  return {.low = {},
+          .size = {bed.width_x, bed.width_y, 1.0},
+          .periodic = {!bed.walls_in_x, true, false}};
+}
+
+dem::Dem make_dem(const Bed& bed, double step, const Ranks& ranks) {
   dem::DemOptions options;
-  options.domain = {
-      .low = {}, .size = {bed.width_x, bed.width_y, 1.0}, .periodic = {true, true, false}};
+  options.domain = domain_of(bed);
   options.model = {.contact = dem::Hooke{.characteristic_velocity = 0.1, .restitution = 0.5},
                    .rolling = dem::ElasticPlastic{0.35},
                    .friction = 0.1};
   options.step = step;
   options.background_damping = 1e4;
-  dem::Wall floor{.name = "floor",
-                  .surface = dem::Plane{.point = {}, .normal = {0.0, 0.0, 1.0}},
-                  .material = steel,
-                  .velocity = {},
-                  .friction = 0.1};
-  return {options, bed.beads, {floor}};
+  const auto plane = [](const char* at, const Vec3& point, const Vec3& normal) {
+    return dem::Wall{.name = at,
+                     .surface = dem::Plane{.point = point, .normal = normal},
+                     .material = steel,
+                     .velocity = {},
+                     .friction = 0.1};
+  };
+  std::vector<dem::Wall> walls = {plane("floor", {}, {0.0, 0.0, 1.0})};
+  if (bed.walls_in_x) {
+    walls.push_back(plane("x_low", {}, {1.0, 0.0, 0.0}));
+    walls.push_back(plane("x_high", {bed.width_x, 0.0, 0.0}, {-1.0, 0.0, 0.0}));
+  }
+  return {options, bed.beads, walls, ranks};
 }
 
 }  // namespace packbed::benchmarks

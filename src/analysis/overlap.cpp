@@ -68,7 +68,7 @@ double inner_term_all_around(const Crossing& x) {
   static const QuarterTurn nodes;
   const double k2 = 4.0 * x.cylinder_radius * x.distance / x.half_squared;
   const double h = std::sqrt(x.half_squared);
-  std::array<double, gauss_points> terms;
+  std::array<double, gauss_points> terms{};
   for (std::size_t k = 0; k < gauss_points; ++k) {
     const double c = h * std::sqrt(std::max(0.0, 1.0 - k2 * nodes.sine_squared[k]));
     terms[k] =
@@ -84,7 +84,7 @@ double inner_term_all_around(const Crossing& x) {
 double inner_term_up_to(const Crossing& x, double k2) {
   static const QuarterTurn nodes;
   const double h = std::sqrt(x.half_squared);
-  std::array<double, gauss_points> terms;
+  std::array<double, gauss_points> terms{};
   for (std::size_t k = 0; k < gauss_points; ++k) {
     const double s2 = k2 * nodes.sine_squared[k];
     const double c = h * nodes.cosine[k];

@@ -40,14 +40,14 @@ void for_images(double x, double radius, const Side& side, const Range& range, c
     return;
   }
   const double period = side.range.high - side.range.low;
-  const double first = std::ceil((range.low - x - radius) / period);
-  const double last = std::floor((range.high - x + radius) / period);
-  for (double k = first; k <= last; k += 1.0) visit(k * period);
+  const auto first = std::lrint(std::ceil((range.low - x - radius) / period));
+  const auto last = std::lrint(std::floor((range.high - x + radius) / period));
+  for (auto k = first; k <= last; ++k) visit(static_cast<double>(k) * period);
 }
 
 /// One image of a bead and what of it lies between two heights.
 struct Piece {
-  double radius;
+  double radius = 0.0;
   Range z;  ///< the heights, over its center
   [[nodiscard]] bool whole() const { return z.low <= -radius && z.high >= radius; }
   [[nodiscard]] double volume() const {

@@ -33,7 +33,12 @@ void add_run(CLI::App& app, RunCommand& options, Action& action) {
       ->add_option("-n,--ranks", options.ranks,
                    "Processes to share the run; by default as many cores as it can use")
       ->check(CLI::Range(1, 4096));
-  command->add_flag("--overwrite", options.overwrite, "Replace results of an earlier run");
+  auto* overwrite =
+      command->add_flag("--overwrite", options.overwrite, "Replace results of an earlier run");
+  command
+      ->add_flag("--resume", options.resume,
+                 "Go on with an interrupted run from its last checkpoint")
+      ->excludes(overwrite);
   add_json(*command, options.json);
   command->callback([&] { action = [&] { return run(options); }; });
 }

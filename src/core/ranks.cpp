@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/ranks.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -28,12 +29,15 @@ bool mpi_runs() {
 }
 
 /// MPI counts in int.
-void check_size(const std::vector<std::int64_t>& bytes) {
-  const auto total = std::accumulate(bytes.begin(), bytes.end(), std::int64_t{0});
+void check_size(std::int64_t total) {
   if (total <= std::numeric_limits<int>::max()) return;
   throw DataError(fmt::format(
       "a rank would exchange {} bytes at once, more than MPI can count; take more ranks with -n",
       total));
+}
+
+std::int64_t total_of(const std::vector<std::int64_t>& bytes) {
+  return std::accumulate(bytes.begin(), bytes.end(), std::int64_t{0});
 }
 
 std::vector<int> offsets(const std::vector<int>& counts) {
@@ -66,11 +70,20 @@ Ranks Ranks::all() {
 }
 
 double Ranks::max(double value) const {
-  if (size_ == 1) return value;
-  // Infinity stands for NaN on the way, since MPI_MAX need not pass NaN on.
-  double worst = std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
-  MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
-  return std::isinf(worst) && worst > 0.0 ? std::numeric_limits<double>::quiet_NaN() : worst;
+  max(std::span(&value, 1));
+  return value;
+}
+
+// Infinity stands for NaN on the way, since MPI_MAX need not pass NaN on.
+void Ranks::max(std::span<double> values) const {
+  if (size_ == 1) return;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (double& value : values) value = std::isnan(value) ? infinity : value;
+  MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX,
+                MPI_COMM_WORLD);
+  for (double& value : values) {
+    if (value == infinity) value = std::numeric_limits<double>::quiet_NaN();
+  }
 }
 
 void Ranks::sum(std::span<std::int64_t> values) const {
@@ -84,6 +97,21 @@ void Ranks::abort(int code) const {
   std::exit(code);
 }
 
+void Ranks::trade(std::span<const Mail> mails) const {
+  std::vector<MPI_Request> requests;
+  requests.reserve(2 * mails.size());
+  for (const auto& mail : mails) {
+    check_size(static_cast<std::int64_t>(std::max(mail.in.size(), mail.out.size())));
+    MPI_Irecv(mail.in.data(), static_cast<int>(mail.in.size()), MPI_BYTE, mail.rank, 0,
+              MPI_COMM_WORLD, &requests.emplace_back());
+  }
+  for (const auto& mail : mails) {
+    MPI_Isend(mail.out.data(), static_cast<int>(mail.out.size()), MPI_BYTE, mail.rank, 0,
+              MPI_COMM_WORLD, &requests.emplace_back());
+  }
+  MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+}
+
 std::vector<std::vector<std::byte>> Ranks::exchange_bytes(
     const std::vector<std::vector<std::byte>>& to_each) const {
   if (size_ == 1) return to_each;
@@ -92,8 +120,8 @@ std::vector<std::vector<std::byte>> Ranks::exchange_bytes(
   std::vector<std::int64_t> in_bytes(n);
   for (std::size_t r = 0; r < n; ++r) out_bytes[r] = static_cast<std::int64_t>(to_each[r].size());
   MPI_Alltoall(out_bytes.data(), 1, MPI_INT64_T, in_bytes.data(), 1, MPI_INT64_T, MPI_COMM_WORLD);
-  check_size(out_bytes);
-  check_size(in_bytes);
+  check_size(total_of(out_bytes));
+  check_size(total_of(in_bytes));
   const std::vector<int> out_counts(out_bytes.begin(), out_bytes.end());
   const std::vector<int> in_counts(in_bytes.begin(), in_bytes.end());
   const auto out_starts = offsets(out_counts);

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace packbed {
@@ -45,17 +46,29 @@ class Ranks {
 
   /// The largest of all ranks' values. A NaN of any rank gives NaN.
   [[nodiscard]] double max(double value) const;
+  /// The same for several values at once, element by element.
+  void max(std::span<double> values) const;
   /// Sums of integers, element by element: the same in any order.
   void sum(std::span<std::int64_t> values) const;
 
   /// Ends all ranks at once with this exit code.
   [[noreturn]] void abort(int code) const;
 
+  /// One message to and one from another rank; both know the sizes. Nothing is copied on this side.
+  struct Mail {
+    int rank = 0;
+    std::span<const std::byte> out{};
+    std::span<std::byte> in{};
+  };
+  /// Sends and receives all of them; ranks that are not named take no part.
+  void trade(std::span<const Mail> mails) const;
+
   /// Sends to_each[r] to rank r and returns what each rank sent here, by rank.
   template <class T>
   [[nodiscard]] std::vector<std::vector<T>> exchange(
       const std::vector<std::vector<T>>& to_each) const {
     static_assert(std::is_trivially_copyable_v<T>);
+    if (size_ == 1) return to_each;
     std::vector<std::vector<std::byte>> out(to_each.size());
     for (std::size_t r = 0; r < to_each.size(); ++r) {
       const auto bytes = std::as_bytes(std::span(to_each[r]));
@@ -72,9 +85,10 @@ class Ranks {
 
   /// All ranks' values on rank 0, in the order of ranks; nothing on the others.
   template <class T>
-  [[nodiscard]] std::vector<T> gather(const std::vector<T>& values) const {
+  [[nodiscard]] std::vector<T> gather(std::vector<T> values) const {
+    if (size_ == 1) return values;
     std::vector<std::vector<T>> to_each(static_cast<std::size_t>(size_));
-    to_each[0] = values;
+    to_each[0] = std::move(values);
     std::vector<T> all;
     for (const auto& part : exchange(to_each)) all.insert(all.end(), part.begin(), part.end());
     return all;

@@ -9,7 +9,7 @@ ContactList::ContactList(const std::vector<PairContact>& pairs,
                          const Domain& domain,
                          std::int32_t dummy)
     : ContactList(domain, dummy) {
-  blocks.reserve((pairs.size() + lanes - 1) / lanes);
+  reserve(pairs.size());
   for (const auto& p : pairs) push_back(p);
 }
 

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "dem/exchange.hpp"
 #include "dem/force_pass.hpp"
 #include "dem/leapfrog.hpp"
+#include "dem/old_contacts.hpp"
 #include "dem/particles.hpp"
 #include "dem/partition.hpp"
 #include "dem/stable_step.hpp"
@@ -34,6 +36,9 @@ struct DemOptions {
   double skin = 0.0;                ///< gap below which pairs are listed [m]; 0: chosen
   double overlap_limit = 0.3;       ///< of the smaller diameter; beyond it the run stops
   double load_tolerance = 1.2;      ///< beads of the fullest rank over the mean, before a new cut
+  /// Cells by which beads belong to ranks; rows of the key grid if there are none. Not copied: it may
+  /// be stretched during the run, alike on all ranks.
+  std::shared_ptr<const mesh::ColumnMesh> mesh = {};
 };
 
 /// What a look at the beds costs, so it is taken when asked for: forces at the present positions,
@@ -42,7 +47,8 @@ struct Snapshot {
   double time;                      ///< [s]
   std::vector<Vec3> x, v, w;        ///< one per bead, in the order of ids
   std::vector<Vec3> force, torque;  ///< of contacts and walls, without weight
-  std::vector<Vec3> wall_force;     ///< on each wall [N]
+  std::vector<BeadProperties> beads;  ///< likewise
+  std::vector<Vec3> wall_force;       ///< on each wall [N]
   double kinetic_energy;            ///< with the masses that move [J]
   double elastic_energy;            ///< of normal and tangential springs [J]
   double mean_contact_force;        ///< of touching pairs and wall contacts [N]
@@ -131,20 +137,24 @@ class Dem {
   void renew();
   void renew_if_needed();
   void check_finite() const;
+  void check_count() const;
   /// Time over which v(n - 1/2) has moved the springs: the last step. Before the first one the coming
   /// step, so that beads which slide from the start do not look as if they stuck.
   [[nodiscard]] double spring_step() const { return last_step_ > 0.0 ? last_step_ : options_.step; }
   void sort_beads_and_contacts();
   void trade_beads_and_contacts();
-  void list_near_pairs();
+  void list_near_pairs(OldContacts old);
   void list_wall_contacts(const std::vector<std::int32_t>& place);
+  void take_over_wall_contacts(const std::vector<NamedWallContact>& arrived,
+                               const std::vector<std::int32_t>& place,
+                               const PlaceOfId& place_of);
   [[nodiscard]] double adapted_near_skin() const;
-  [[nodiscard]] double displacement_of_own() const;
   [[nodiscard]] double far_displacement() const;
   [[nodiscard]] Coefficients coefficients_of(const PairKey& p) const;
   void fill_coefficients(const Wall& wall, WallContacts& contacts) const;
   void add_forces_of_walls();
   void add_contact_forces_and_move(const Leapfrog& step);
+  [[nodiscard]] Vec3 move_own(std::size_t first, std::size_t last, const Leapfrog& step);
   void add_forces_here(Particles& p,
                        ContactList& contacts,
                        std::vector<WallContacts>& near,
@@ -159,6 +169,7 @@ class Dem {
   std::vector<WallContacts> wall_contacts_;
   Ranks ranks_;
   HaloExchange halo_;
+  std::vector<Run> own_runs_;
   std::int64_t bead_count_ = 0;
   std::int64_t repartitions_ = 0;
   double largest_diameter_ = 0.0;  ///< of all ranks' beads [m]

@@ -10,6 +10,7 @@
 /// bit. It never moves a halo bead: the owner sends it after each step.
 
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 #include "core/ranks.hpp"
@@ -36,6 +37,9 @@ struct NamedWallContact {
   History history;
 };
 
+/// Places of some beads by their ids; -1 for those that are not here.
+using PlaceOfId = std::unordered_map<std::int64_t, std::int32_t>;
+
 /// A bead as it travels.
 struct NamedBead {
   Motion motion;
@@ -44,57 +48,73 @@ struct NamedBead {
   std::int32_t owner = 0;
 };
 
-/// Everything that a rank takes over a renewal.
+/// What comes to a rank, or goes from it, at a renewal.
 struct Luggage {
   std::vector<NamedBead> beads;
   std::vector<NamedContact> contacts;
   std::vector<NamedWallContact> wall_contacts;
 };
 
-/// Own beads and all contacts, by name. `wraps` as from wrap(), for own and halo beads.
-Luggage pack(const Particles& particles,
-             const std::vector<PairContact>& pairs,
-             const std::vector<WallContacts>& walls,
-             const std::vector<Image>& wraps);
+std::vector<Vec3> own_centers(const Particles& particles);
 
-/// Sends beads to the ranks that own their places now, with their contacts. Throws DivergenceError if
-/// the number of beads of all ranks has changed.
-Luggage migrate(const Luggage& luggage, const Partition& partition, const Ranks& ranks);
+/// The rank that owns the place of each own bead now; -1 for halo beads.
+std::vector<std::int32_t> new_owners(const Particles& particles, const Partition& partition);
 
-/// Copies of foreign beads within `reach` of rows that this rank owns.
-std::vector<NamedBead> halo(const std::vector<NamedBead>& own,
+/// Sends the own beads that belong to other ranks now there, with their contacts, and returns what arrives
+/// here. Nothing is taken away here. `owners` as above, `wraps` as from wrap(). A contact goes wherever one
+/// of its beads goes; it may arrive where it is known already.
+Luggage migrate(const Particles& particles,
+                const ContactList& contacts,
+                const std::vector<WallContacts>& walls,
+                const std::vector<Image>& wraps,
+                const std::vector<std::int32_t>& owners,
+                const Ranks& ranks);
+
+/// Copies of foreign beads within `reach` of rows that this rank owns. All beads here are own.
+std::vector<NamedBead> halo(const Particles& own,
                             const Partition& partition,
                             double reach,
                             const Ranks& ranks);
 
-/// Own and foreign beads as particles, not yet sorted.
-void place_beads(const std::vector<NamedBead>& own,
-                 const std::vector<NamedBead>& foreign,
-                 Particles& particles);
+/// Adds them before the dummies.
+void add(Particles& particles, const std::vector<NamedBead>& beads);
 
-/// Contacts by the places of their beads; those of beads that are not here are left out.
-struct PlacedContacts {
-  std::vector<PairContact> pairs;
-  std::vector<WallContacts> walls;
+/// Runs of own beads in the order of beads, as first and last + 1: one, but for beads that escaped.
+struct Run {
+  std::size_t first = 0;
+  std::size_t last = 0;
 };
-PlacedContacts place_contacts(const Luggage& luggage,
-                              const Particles& particles,
-                              std::size_t wall_count);
+std::vector<Run> own_runs(const Particles& particles);
 
-/// Which beads are sent to and received from each rank after every step: those in near pairs. Other
-/// halo beads drift on unseen until the next renewal.
+/// Which beads are sent to and received from each rank after every step: those in listed pairs. Other
+/// halo beads stay where they are until the next renewal.
 class HaloExchange {
  public:
   HaloExchange() = default;
+  HaloExchange(const HaloExchange&) = delete;  // mails point to the buffers
+  HaloExchange& operator=(const HaloExchange&) = delete;
+  HaloExchange(HaloExchange&&) = default;
+  HaloExchange& operator=(HaloExchange&&) = default;
+  ~HaloExchange() = default;
   /// For the halo beads that `pairs` use; the owners are told.
   HaloExchange(const Particles& particles, const std::vector<PairKey>& pairs, const Ranks& ranks);
 
   /// Brings position, velocity and spin of the halo beads up to date.
-  void refresh(Particles& particles, const Ranks& ranks) const;
+  void refresh(Particles& particles, const Ranks& ranks);
 
  private:
-  std::vector<std::vector<std::int32_t>> send_;     ///< places of own beads, by rank
-  std::vector<std::vector<std::int32_t>> receive_;  ///< places of halo beads, by rank
+  /// What an owner tells of a bead.
+  struct State {
+    Vec3 x, v, w;
+  };
+  /// With one other rank: places of own and of halo beads, and what is told of them.
+  struct Neighbor {
+    int rank = 0;
+    std::vector<std::int32_t> send, receive;
+    std::vector<State> out, in;
+  };
+  std::vector<Neighbor> neighbors_;
+  std::vector<Ranks::Mail> mails_;
 };
 
 }  // namespace packbed::dem

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dem/particles.hpp"
 
+#include <utility>
+
 namespace packbed::dem {
 namespace {
 
@@ -15,22 +17,27 @@ void add_dummies(Particles& particles) {
   }
 }
 
+/// What follows the beads (the dummies) is kept behind them.
 template <class Vector>
-void permute(Vector& values, const std::vector<std::int32_t>& order) {
-  Vector old = values;
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    values[k] = old[static_cast<std::size_t>(order[k])];
-  }
+void permute(Vector& values, const std::vector<std::int32_t>& order, std::size_t beads) {
+  Vector chosen;
+  chosen.reserve(order.size() + values.size() - beads);
+  for (const auto k : order) chosen.push_back(values[static_cast<std::size_t>(k)]);
+  for (std::size_t k = beads; k < values.size(); ++k) chosen.push_back(values[k]);
+  values = std::move(chosen);
+}
+
+void reserve(Particles& p, std::size_t beads) {
+  constexpr std::size_t dummies = 2;
+  p.motion.reserve(beads + dummies);
+  p.spin.reserve(beads + dummies);
+  p.load.reserve(beads + dummies);
+  p.reference.reserve(beads + dummies);
+  p.properties.reserve(beads);
+  p.owner.reserve(beads);
 }
 
 }  // namespace
-
-void clear(Particles& particles) {
-  const auto rank = particles.rank;
-  particles = {};
-  particles.rank = rank;
-  add_dummies(particles);
-}
 
 void add(Particles& particles,
          const Motion& motion,
@@ -48,9 +55,13 @@ void add(Particles& particles,
   particles.owner.push_back(owner);
 }
 
-Particles make_particles(const std::vector<BeadStart>& beads, double inertia_scale) {
+Particles make_particles(std::span<const BeadStart> beads,
+                         double inertia_scale,
+                         std::int32_t rank) {
   Particles p;
-  clear(p);
+  p.rank = rank;
+  reserve(p, beads.size());
+  add_dummies(p);
   for (const auto& bead : beads) {
     const auto& b = bead.properties;
     const double mass = inertia_scale * b.mass;
@@ -59,18 +70,19 @@ Particles make_particles(const std::vector<BeadStart>& beads, double inertia_sca
                         .v = bead.v,
                         .inv_mass = b.fixed ? 0.0 : 1.0 / mass,
                         .inv_inertia = b.fixed ? 0.0 : 1.0 / inertia};
-    add(p, motion, {.w = bead.w, .half_radius = 0.25 * b.diameter}, b, 0);
+    add(p, motion, {.w = bead.w, .half_radius = 0.25 * b.diameter}, b, rank);
   }
   return p;
 }
 
 void reorder(Particles& particles, const std::vector<std::int32_t>& order) {
-  permute(particles.motion, order);
-  permute(particles.spin, order);
-  permute(particles.load, order);
-  permute(particles.reference, order);
-  permute(particles.properties, order);
-  permute(particles.owner, order);
+  const std::size_t beads = particles.size();
+  permute(particles.motion, order, beads);
+  permute(particles.spin, order, beads);
+  permute(particles.load, order, beads);
+  permute(particles.reference, order, beads);
+  permute(particles.properties, order, beads);
+  permute(particles.owner, order, beads);
 }
 
 }  // namespace packbed::dem

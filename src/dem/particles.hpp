@@ -7,6 +7,7 @@
 /// dummies that touch nothing follow the last one and fill up blocks of contacts.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/aligned.hpp"
@@ -70,11 +71,10 @@ struct BeadStart {
   Vec3 w;  ///< [rad/s]
 };
 
-/// Particles from their start, all own; inertia is scaled by `inertia_scale`.
-Particles make_particles(const std::vector<BeadStart>& beads, double inertia_scale);
-
-/// Takes all beads away but the dummies.
-void clear(Particles& particles);
+/// Particles from their start, all own beads of `rank`; inertia is scaled by `inertia_scale`.
+Particles make_particles(std::span<const BeadStart> beads,
+                         double inertia_scale,
+                         std::int32_t rank = 0);
 
 /// Adds a bead before the dummies.
 void add(Particles& particles,
@@ -83,7 +83,7 @@ void add(Particles& particles,
          const BeadProperties& properties,
          std::int32_t owner);
 
-/// Puts bead order[k] at place k.
+/// Puts bead order[k] at place k; beads that `order` does not name are taken away.
 void reorder(Particles& particles, const std::vector<std::int32_t>& order);
 
 }  // namespace packbed::dem

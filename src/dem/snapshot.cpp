@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/exact_sum.hpp"
 #include "dem/dem.hpp"
@@ -11,7 +12,7 @@ namespace {
 
 /// What a bead tells of itself.
 struct Row {
-  std::int64_t id = 0;
+  BeadProperties bead;
   Vec3 x, v, w, force, torque;
 };
 
@@ -97,14 +98,15 @@ Snapshot Dem::snapshot() const {
     const double keep = free ? 1.0 - 0.5 * last_step_ * options_.background_damping : 1.0;
     const Vec3 v = keep * m.v + (0.5 * last_step_ * m.inv_mass) * (p.load[i].force + weight);
     const Vec3 w = keep * p.spin[i].w + (0.5 * last_step_ * m.inv_inertia) * p.load[i].torque;
-    rows.push_back({p.properties[i].id, m.x, v, w, p.load[i].force, p.load[i].torque});
+    rows.push_back({p.properties[i], m.x, v, w, p.load[i].force, p.load[i].torque});
     if (!free) continue;
     kinetic.push_back(0.5 * dot(v, v) / m.inv_mass + 0.5 * dot(w, w) / m.inv_inertia);
     unbalanced.push_back(norm(p.load[i].force + weight));
   }
-  rows = ranks_.gather(rows);
-  std::ranges::sort(rows, {}, &Row::id);
+  rows = ranks_.gather(std::move(rows));
+  std::ranges::sort(rows, {}, [](const Row& row) { return row.bead.id; });
   for (const auto& row : rows) {
+    s.beads.push_back(row.bead);
     s.x.push_back(row.x);
     s.v.push_back(row.v);
     s.w.push_back(row.w);
@@ -114,7 +116,8 @@ Snapshot Dem::snapshot() const {
 
   // A contact between two ranks counts on the rank of its first bead.
   ContactTerms pairs;
-  for (const auto& c : contacts.pairs()) {
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const auto c = contacts.pair(k);
     const auto i = static_cast<std::size_t>(c.i);
     const auto j = static_cast<std::size_t>(c.j);
     if (!p.is_own(i)) continue;

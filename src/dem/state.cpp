@@ -124,7 +124,7 @@ Dem::Dem(const DemOptions& options, const DemState& all, Lists lists, const Rank
       wall_contacts_(all.walls.size()),
       ranks_(ranks),
       bead_count_(static_cast<std::int64_t>(all.beads.size())),
-      partition_(options.domain, all.progress.cell, ranks) {
+      partition_(options.domain, all.progress.cell, ranks, options.mesh) {
   take_over(all.progress);
   for (const auto& bead : all.beads) {
     largest_diameter_ = std::max(largest_diameter_, bead.properties.diameter);
@@ -186,10 +186,13 @@ void Dem::restore_lists(const DemState& all) {
   for (auto& p : pairs) p.coefficients = coefficients_of(p);
   std::ranges::sort(pairs, {}, [](const PairKey& p) -> const PairKey& { return p; });
   contacts_ = ContactList(pairs, options_.domain, static_cast<std::int32_t>(particles_.size()));
-  list_near_pairs();
+  list_near_pairs(OldContacts(contacts_));
   wall_contacts_ = placed(all.wall_contacts, places, particles_, walls_.size());
   for (std::size_t w = 0; w < walls_.size(); ++w) fill_coefficients(walls_[w], wall_contacts_[w]);
-  if (ranks_.size() > 1) halo_ = HaloExchange(particles_, far_pairs_, ranks_);
+  if (ranks_.size() > 1) {
+    own_runs_ = own_runs(particles_);
+    halo_ = HaloExchange(particles_, far_pairs_, ranks_);
+  }
 
   far_reference_.resize(particles_.size() + 2);
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -205,7 +208,7 @@ void Dem::restore_lists(const DemState& all) {
 // As at the start of a run, but with springs: rank 0 has all beads, and the renewal deals them out.
 void Dem::start_anew(const DemState& all) {
   cell_ = std::max(cell_, largest_diameter_);
-  partition_ = Partition(options_.domain, cell_, ranks_);
+  partition_ = Partition(options_.domain, cell_, ranks_, options_.mesh);
   particles_ = make_particles({}, 1.0);
   particles_.rank = ranks_.rank();
   renewals_ = 0;  // cuts the rows in any case

@@ -15,7 +15,7 @@
 namespace packbed::io {
 namespace {
 
-/// What a rank writes in one call: MPI-IO counts in int.
+/// What all ranks together write in one call: MPI-IO counts in int.
 constexpr std::size_t bytes_at_once = std::size_t{1} << 28U;
 /// Disk space taken beyond the arrays: for texts, and what HDF5 notes about all of it.
 constexpr std::uint64_t taken_at_start = std::uint64_t{1} << 20U;
@@ -124,8 +124,8 @@ void CheckpointWriter::array_of(const std::string& name, hdf5::ArrayForm mine, c
   std::optional<hdf5::Object> array;
   together([&] { array.emplace(content_.create_array("arrays/" + name, all)); });
 
-  const auto at_once =
-      static_cast<std::int64_t>(std::max<std::size_t>(1, bytes_at_once / row_bytes));
+  const auto at_once = static_cast<std::int64_t>(std::max<std::size_t>(
+      1, bytes_at_once / row_bytes / static_cast<std::size_t>(ranks_.size())));
   const auto* next = static_cast<const std::byte*>(values);
   for (std::int64_t done = 0; done < std::ranges::max(rows); done += at_once) {
     auto now = mine;

@@ -38,10 +38,10 @@ Extents extents(std::int64_t rows, std::size_t width) {
   return {{static_cast<hsize_t>(rows), width}, width == 1 ? 1 : 2};
 }
 
-/// Rows of a chunk of a compressed array: about 512 kB.
+/// Rows of a chunk of a compressed array: about 64 kB.
 std::int64_t rows_of_chunk(const ArrayForm& form) {
   const auto row = static_cast<std::int64_t>(form.width * bytes_of(form.element));
-  return std::clamp<std::int64_t>(524288 / row, 1, std::max<std::int64_t>(form.rows, 1));
+  return std::clamp<std::int64_t>(65536 / row, 1, std::max<std::int64_t>(form.rows, 1));
 }
 
 Local space_of(std::int64_t rows, std::size_t width, const std::filesystem::path& file) {
@@ -221,18 +221,18 @@ std::vector<std::byte> Object::image() const {
 
 namespace {
 
-/// Before anything else is asked of HDF5. It prints nothing, since reason() tells. And it does not
-/// clean up at the end of the program: it crashes there if a file could not be closed for a full disk.
-void set_up() {
-  static const herr_t once = H5dont_atexit();
-  static_cast<void>(once);
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-}
+/// Starts HDF5 before main, so before MPI too. Otherwise HDF5 cleans up when MPI or the program ends,
+/// and crashes there if it could not close a file for an error of the disk; the message and the exit
+/// code of the program would be lost. Our files are closed by their owners.
+const herr_t started = [] {
+  H5dont_atexit();
+  H5open();
+  return H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // it prints nothing: reason() tells
+}();
 
 }  // namespace
 
 Object create_file(const std::filesystem::path& file, std::size_t user_block, const Ranks& ranks) {
-  set_up();
   const auto access = new_list(H5P_FILE_ACCESS, file);
   const auto creation = new_list(H5P_FILE_CREATE, file);
   ok(H5Pset_obj_track_times(creation, false), file, "setting HDF5 up");
@@ -248,7 +248,6 @@ Object create_file(const std::filesystem::path& file, std::size_t user_block, co
 }
 
 Object create_in_memory(const std::filesystem::path& file) {
-  set_up();
   const auto access = new_list(H5P_FILE_ACCESS, file);
   const auto creation = new_list(H5P_FILE_CREATE, file);
   ok(H5Pset_obj_track_times(creation, false), file, "setting HDF5 up");
@@ -259,7 +258,6 @@ Object create_in_memory(const std::filesystem::path& file) {
 }
 
 Object open_file(const std::filesystem::path& file) {
-  set_up();
   const auto access = new_list(H5P_FILE_ACCESS, file);
   ok(H5Pset_file_locking(access, false, true), file, "setting HDF5 up");
   const auto id = H5Fopen(file.c_str(), H5F_ACC_RDONLY, access);

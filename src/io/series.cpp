@@ -18,14 +18,6 @@ std::string header(const std::vector<std::string>& columns) {
   return fmt::format("{}\n", fmt::join(columns, ","));
 }
 
-/// The first `count` bytes of a file, or fewer.
-std::string beginning(std::ifstream& stream, std::size_t count) {
-  std::string text(count, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(count));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return text;
-}
-
 /// Throws DataError unless a series with these columns has a row that ends after `bytes` bytes.
 void check_resumable(const std::filesystem::path& file,
                      const std::string& header,
@@ -35,11 +27,13 @@ void check_resumable(const std::filesystem::path& file,
   if (!stream) {
     throw DataError(fmt::format("{}: cannot be opened ({})", file.string(), std::strerror(errno)));
   }
-  if (const auto there = beginning(stream, header.size()); there != header) {
+  std::string there;
+  std::getline(stream, there);
+  if (there + '\n' != header) {
     throw DataError(fmt::format(
         "{}: its columns are not those of this case, so that it cannot be continued; it "
         "begins with \"{}\", not with \"{}\"",
-        file.string(), there.substr(0, there.find('\n')), header.substr(0, header.find('\n'))));
+        file.string(), there.substr(0, 500), header.substr(0, header.size() - 1)));
   }
   const auto length = static_cast<std::int64_t>(std::filesystem::file_size(file));
   if (length < bytes) {
@@ -47,6 +41,7 @@ void check_resumable(const std::filesystem::path& file,
         fmt::format("{}: {} bytes are there, but {} were when the checkpoint was written",
                     file.string(), length, bytes));
   }
+  stream.clear();
   stream.seekg(bytes - 1);
   if (bytes < static_cast<std::int64_t>(header.size()) || stream.get() != '\n') {
     throw DataError(

@@ -29,7 +29,9 @@ std::vector<ProtocolStep> read_protocol(std::vector<Section> sections,
                                         const ColumnOptions& column,
                                         const BeadOptions& beads,
                                         bool has_liquid);
-NumericsOptions read_numerics(Section section);
+/// Whether a step makes beads sink.
+bool needs_gravity(const std::vector<ProtocolStep>& protocol);
+NumericsOptions read_numerics(Section section, const std::vector<ProtocolStep>& protocol);
 OutputOptions read_output(Section section, const std::filesystem::path& case_file);
 
 }  // namespace packbed::setup

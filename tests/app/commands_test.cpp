@@ -117,8 +117,8 @@ TEST(Run, WritesTheSameOnSeveralRanks) {
   const auto two = test::run_on_ranks(2, arguments + "/two");
   ASSERT_EQ(two.code, 0) << two.err;
 
-  for (const auto* file : {"/series.csv", "/frames/beads_000010.csv"}) {
-    EXPECT_EQ(read_text_file(out + "/one" + file), read_text_file(out + "/two" + file)) << file;
+  for (const auto* name : {"/series.csv", "/frames/beads_000010.csv"}) {
+    EXPECT_EQ(read_text_file(out + "/one" + name), read_text_file(out + "/two" + name)) << name;
   }
   const auto again = test::run_on_ranks(2, arguments + "/two");
   EXPECT_EQ(again.code, 1);

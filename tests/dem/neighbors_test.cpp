@@ -100,7 +100,8 @@ TEST(FindPairs, AgreesWithBruteForceForTwoThousandBeads) {
 TEST(FindPairs, TellsImagesApartInAThinSlice) {
   Domain slice = box(false, true, false);
   slice.size[1] = 100e-6;
-  const auto p = make_particles({bead(0, {0, 10e-6, 0}), bead(1, {60e-6, 60e-6, 0})}, 1.0);
+  const auto p =
+      make_particles(std::vector{bead(0, {0, 10e-6, 0}), bead(1, {60e-6, 60e-6, 0})}, 1.0);
   EXPECT_EQ(found(p, slice, 0.0).size(), 2U);
   EXPECT_EQ(found(p, slice, 0.0), brute_force(p, slice, 0.0));
   EXPECT_EQ(found(p, slice, 40e-6), brute_force(p, slice, 40e-6));
@@ -108,7 +109,8 @@ TEST(FindPairs, TellsImagesApartInAThinSlice) {
 
 TEST(FindPairs, OfFewBeadsIsEmpty) {
   EXPECT_TRUE(found(make_particles({}, 1.0), box(false, false, false), 1e-6).empty());
-  EXPECT_TRUE(found(make_particles({bead(0, {})}, 1.0), box(true, true, true), 1e-6).empty());
+  EXPECT_TRUE(
+      found(make_particles(std::vector{bead(0, {})}, 1.0), box(true, true, true), 1e-6).empty());
 }
 
 // I5, second half: the renewal never comes late, with a wide and a narrow skin, for fast movers.
@@ -159,12 +161,17 @@ TEST(CarryOver, TurnsThePairAroundWhenTheOrderOfItsBeadsChanges) {
   old.coefficients.a = 7.0;
   old.history.spring = {1, 2, 3};
 
-  const auto pairs = carry_over({old}, {1, 0}, {Image{1, 0, 0}, Image{0, 0, 0}});
+  ContactList list({old}, box(true, true, true), 2);
+  const auto pairs = carry_over(list, {1, 0}, {Image{1, 0, 0}, Image{0, 0, 0}});
 
   // bead 0 was moved by +1 in x, bead 1 not: 1 + 1 = 2, seen from the other end
-  EXPECT_EQ(static_cast<PairKey>(pairs.at(0)), (PairKey{.i = 0, .j = 1, .image = {-2, 0, 1}}));
-  EXPECT_EQ(pairs[0].coefficients.a, 7.0);
-  EXPECT_EQ(pairs[0].history.spring, (Vec3{-1, -2, -3}));
+  const PairKey key{.i = 0, .j = 1, .image = {-2, 0, 1}};
+  EXPECT_EQ(static_cast<PairKey>(pairs.at(0)), key);
+  PairContact now;
+  ASSERT_TRUE(OldContacts(list, pairs, {}).take(key, now));
+  EXPECT_EQ(static_cast<PairKey>(now), key);
+  EXPECT_EQ(now.coefficients.a, 7.0);
+  EXPECT_EQ(now.history.spring, (Vec3{-1, -2, -3}));
 }
 
 TEST(ContactList, GivesItsPairsBack) {

@@ -44,4 +44,12 @@ Rest rest_of(const dem::Dem& dem) {
           .max_overlap = s.max_overlap_ratio};
 }
 
+bool is_steady(double height, double height_before, double mean_diameter) {
+  return std::abs(height - height_before) < 1e-4 * mean_diameter;
+}
+
+double falling_time(double mean_diameter, double gravity, const dem::Dem& dem) {
+  return std::sqrt(dem.options().inertia_scale * mean_diameter / gravity);
+}
+
 }  // namespace packbed::column

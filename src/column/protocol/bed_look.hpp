@@ -34,4 +34,12 @@ struct Rest {
 
 Rest rest_of(const dem::Dem& dem);
 
+/// Whether the height of a bed changed by less than 1e-4 mean diameters in a slice.
+bool is_steady(double height, double height_before, double mean_diameter);
+
+/// sqrt(inertia scale d / gravity) [s]: in this time a bead falls by half its diameter, or tips over.
+/// The background damping of a bed that comes to rest: faster, and beads about to roll off take ever
+/// longer; slower, and the bed swings on.
+double falling_time(double mean_diameter, double gravity, const dem::Dem& dem);
+
 }  // namespace packbed::column

@@ -8,23 +8,30 @@
 
 #include "column/protocol/settle_beads.hpp"
 #include "column/protocol/settled_porosity.hpp"
+#include "column/protocol/weight.hpp"
 #include "core/error.hpp"
 
 namespace packbed::column {
 namespace {
 
-constexpr double lid_away = 1e3;        // z of a lid that does not act [m]
-constexpr double loose_margin = 0.004;  // by which a bed is settled looser than it should be
-constexpr double landed_speed = 0.1;    // of a bead that falls no more / sqrt(g d / inertia scale)
-constexpr double steady = 1e-4;         // change of height in a slice / mean diameter
+// By which a bed is settled looser than it should be: the first time, and the second.
+constexpr double loose_margin = 0.004;
+constexpr double looser_margin = 0.010;
+constexpr double landed_speed = 0.1;  // of a bead that falls no more / sqrt(g d / inertia scale)
 constexpr std::int32_t most_falls = 2;
 constexpr std::int32_t most_count_changes = 6;
 constexpr std::int32_t most_corrections = 3;
 constexpr double near_height = 0.5;  // distance from the height asked for / mean diameter
-// Densification: friction is lowered by a factor whenever the bed has almost stopped to give way.
+// Densification. Friction fades slowly, and waits where the bed gives way, so that the bed follows
+// from balance to balance and stands as soon as friction comes back. Times are falling times.
 constexpr std::int64_t look_every = 100;  // steps between looks at the porosity
-constexpr double less_friction = 0.8;     // factor
-constexpr double gives_way = 1e-4;        // porosity that a slice loses
+constexpr double creep_damping = 0.1;     // time in which beads slow down
+constexpr double fading_time = 4.0;       // in which friction falls by a factor e
+constexpr double gives_way = 5e-4;        // loss of porosity in a time
+constexpr double near_aim = 4e-3;         // porosity above the aim from where all goes slower,
+constexpr double slower = 4.0;            // by this factor
+constexpr double least_sag = 3e-4;
+constexpr double stands = 1e-5;           // likewise, of a bed that gives way no more
 constexpr double least_looseness = 0.01;  // below it there is no friction
 constexpr double aim_below = 0.25;        // of the tolerance, under the target
 
@@ -74,20 +81,21 @@ void Settle::begin(dem::Dem& dem) {
   ++state_.falls;
 }
 
+void Settle::weigh(double liquid_density, dem::Dem& dem) const {
+  dem.set_weights(
+      [&](const auto& bead) { return weight_of(bead, options_.gravity, liquid_density); });
+}
+
 void Settle::fall(dem::Dem& dem) {
-  dem.set_weights([&](const auto& bead) { return dry_weight(options_, bead); });
+  weigh(0.0, dem);
   dem.set_friction(state_.friction);
   dem.set_rolling_friction(options_.resin_rolling_friction);
   enter_fall(dem);
 }
 
-// In this time a bead falls by half its diameter, or tips over.
-double Settle::falling_time(const dem::Dem& dem) const {
-  return std::sqrt(dem.options().inertia_scale * bed_.mean_diameter / options_.gravity);
-}
-
 void Settle::enter_fall(dem::Dem& dem) {
-  const double time = options_.fall_damping.value_or(4.0 * falling_time(dem));
+  const double time =
+      options_.fall_damping.value_or(4.0 * falling_time(bed_.mean_diameter, options_.gravity, dem));
   dem.set_background_damping(1.0 / time);
   enter(SettlePhase::fall, dem);
 }
@@ -111,11 +119,11 @@ void Settle::run_slice(dem::Dem& dem) {
   ++state_.phase_slices;
 }
 
-// Stops at the porosity, whenever it comes.
+// Stops at the porosity, whenever it comes; early enough for the bed to sink on to it.
 void Settle::run_densifying(dem::Dem& dem) {
   for (std::int64_t done = 0; done < options_.slice; done += look_every) {
     dem.run(std::min(look_every, options_.slice - done));
-    if (middle_porosity(dem, area()) <= state_.aim) return;
+    if (middle_porosity(dem, area()) <= state_.aim + state_.sag) return;
   }
 }
 
@@ -138,21 +146,22 @@ void Settle::enter(SettlePhase phase, const dem::Dem& dem) {
 }
 
 void Settle::enter_rest(SettlePhase phase, dem::Dem& dem) {
-  const double time = options_.rest_damping.value_or(falling_time(dem));
+  const double time =
+      options_.rest_damping.value_or(falling_time(bed_.mean_diameter, options_.gravity, dem));
   dem.set_background_damping(1.0 / time);
   enter(phase, dem);
 }
 
 // Where a bead would be fast if it still fell, none is.
 bool Settle::has_landed(const dem::Dem& dem) const {
-  const double time = falling_time(dem);
+  const double time = falling_time(bed_.mean_diameter, options_.gravity, dem);
   const double speed = bed_.mean_diameter / time;
   return dem.time() - state_.phase_start > time && rest_.fastest < landed_speed * speed;
 }
 
 bool Settle::is_at_rest(double unbalanced) const {
   return rest_.unbalanced < unbalanced &&
-         std::abs(state_.bed_height - state_.height_before) < steady * bed_.mean_diameter;
+         is_steady(state_.bed_height, state_.height_before, bed_.mean_diameter);
 }
 
 double Settle::working_friction() const {
@@ -164,7 +173,7 @@ void Settle::after_rest(dem::Dem& dem) {
   if (options_.bed_height && !has_height(near_height, dem)) return;
   dem.set_friction(options_.resin_friction);
   dem.set_rolling_friction(options_.resin_rolling_friction);
-  dem.set_weights([&](const auto& bead) { return submerged_weight(options_, bead); });
+  weigh(options_.liquid_density, dem);
   enter_rest(SettlePhase::submerge, dem);
 }
 
@@ -176,7 +185,11 @@ bool Settle::has_porosity(dem::Dem& dem) {
     enter(SettlePhase::rest, dem);
     return false;
   }
-  const double excess = state_.porosity - *options_.porosity;
+  // How much it still sank when friction came back tells where to stop next time.
+  if (state_.stopped_at > 0.0)
+    state_.sag = std::max(least_sag, state_.stopped_at - state_.porosity);
+  state_.stopped_at = 0.0;
+  const double excess = state_.porosity - state_.aim - aim_below * options_.porosity_tolerance;
   if (excess > 0.5 * options_.porosity_tolerance) {
     loosen(dem);
     return false;
@@ -187,36 +200,45 @@ bool Settle::has_porosity(dem::Dem& dem) {
 }
 
 void Settle::loosen(dem::Dem& dem) {
-  dem.set_friction(state_.looseness * working_friction());
-  dem.set_rolling_friction(state_.looseness * options_.resin_rolling_friction);
-  enter_rest(SettlePhase::densify, dem);
+  set_looseness(state_.looseness, dem);
+  dem.set_background_damping(
+      1.0 / (creep_damping * falling_time(bed_.mean_diameter, options_.gravity, dem)));
+  enter(SettlePhase::densify, dem);
+}
+
+void Settle::set_looseness(double looseness, dem::Dem& dem) {
+  dem.set_friction(looseness * working_friction());
+  dem.set_rolling_friction(looseness * options_.resin_rolling_friction);
 }
 
 void Settle::after_densify(dem::Dem& dem) {
-  if (state_.porosity <= state_.aim) {
-    dem.set_friction(working_friction());
-    dem.set_rolling_friction(options_.resin_rolling_friction);
+  if (state_.porosity <= state_.aim + state_.sag) {
+    state_.stopped_at = state_.porosity;
+    set_looseness(1.0, dem);
     enter_rest(SettlePhase::rest, dem);
     return;
   }
-  if (state_.porosity_before - state_.porosity > gives_way) return;
-  if (state_.looseness > 0.0) {
-    state_.looseness *= less_friction;
-    if (state_.looseness < least_looseness) state_.looseness = 0.0;
-    dem.set_friction(state_.looseness * working_friction());
-    dem.set_rolling_friction(state_.looseness * options_.resin_rolling_friction);
-  } else if (is_at_rest(options_.rest_limit)) {
+  const double times = static_cast<double>(options_.slice) * dem.options().step /
+                       falling_time(bed_.mean_diameter, options_.gravity, dem);
+  const double loss = (state_.porosity_before - state_.porosity) / times;
+  if (state_.looseness == 0.0 && loss < stands && state_.phase_slices > 1) {
     refuse_porosity("is too dense: without any friction between beads this one packs to");
   }
+  const bool is_near = state_.porosity < state_.aim + state_.sag + near_aim;
+  const double pace = is_near ? 1.0 / slower : 1.0;
+  if (loss > pace * gives_way) return;
+  state_.looseness *= std::exp(-pace * times / fading_time);
+  if (state_.looseness < least_looseness) state_.looseness = 0.0;
+  set_looseness(state_.looseness, dem);
 }
 
 void Settle::fall_again(dem::Dem& dem) {
   const double expected = settled_porosity(state_.friction, options_.resin_rolling_friction);
   const double deviation = state_.porosity - expected;
-  const double friction = settling_friction(*options_.porosity + loose_margin - deviation,
+  const double friction = settling_friction(*options_.porosity + looser_margin - deviation,
                                             options_.resin_rolling_friction);
   if (state_.falls >= most_falls || friction <= state_.friction) {
-    refuse_porosity("is too loose: with the friction of the resin this one settles to");
+    refuse_porosity("is too loose: with all the friction that helps this one settles to");
   }
   state_.friction = friction;
   state_.looseness = 1.0;
@@ -263,10 +285,10 @@ void Settle::after_submerge(dem::Dem& dem) {
                            std::abs(state_.bed_height - *options_.bed_height) <= bed_.mean_diameter;
   if (dense_enough && high_enough) return finish(dem);
   if (!dense_enough && ++state_.corrections > most_corrections) {
-    refuse_porosity("cannot be met closely enough by a bed this small; it has");
+    refuse_porosity("cannot be met within its tolerance by this bed, which has");
   }
   state_.aim -= excess;
-  dem.set_weights([&](const auto& bead) { return dry_weight(options_, bead); });
+  weigh(0.0, dem);
   dem.set_friction(std::min(dem.options().model.friction, working_friction()));
   enter_rest(SettlePhase::rest, dem);
 }

@@ -19,6 +19,9 @@
 
 namespace packbed::column {
 
+/// z of a lid that does not act [m].
+inline constexpr double lid_away = 1e3;
+
 struct SettleOptions {
   mesh::ColumnShape shape;
   double gravity = 9.81;        ///< [m/s2]
@@ -69,7 +72,9 @@ struct SettleState {
   std::int64_t next_id = 0;       ///< of the next bead that is added
   double friction = 0.0;          ///< bead on bead, at which the bed settles
   double looseness = 1.0;         ///< share of friction that densification has left
-  double aim = 0.0;               ///< porosity at which densification ends
+  double aim = 0.0;               ///< porosity of the dry bed
+  double sag = 3e-3;              ///< porosity lost after a densification; before the first a guess
+  double stopped_at = 0.0;        ///< porosity at which one was ended just now; 0 otherwise
   // Figures of the last slice.
   double bed_height = 0.0;  ///< [m]
   double porosity = 1.0;
@@ -100,19 +105,20 @@ class Settle {
   void run_densifying(dem::Dem& dem);
   void look(const dem::Dem& dem);
   void enter(SettlePhase phase, const dem::Dem& dem);
+  void weigh(double liquid_density, dem::Dem& dem) const;
   void enter_fall(dem::Dem& dem);
   void enter_rest(SettlePhase phase, dem::Dem& dem);
   void after_rest(dem::Dem& dem);
   void after_densify(dem::Dem& dem);
   void after_submerge(dem::Dem& dem);
   void loosen(dem::Dem& dem);
+  void set_looseness(double looseness, dem::Dem& dem);
   void fall_again(dem::Dem& dem);
   void finish(dem::Dem& dem);
   bool has_porosity(dem::Dem& dem);
   bool has_height(double near, dem::Dem& dem);
   [[nodiscard]] bool has_landed(const dem::Dem& dem) const;
   [[nodiscard]] bool is_at_rest(double unbalanced) const;
-  [[nodiscard]] double falling_time(const dem::Dem& dem) const;
   [[nodiscard]] double working_friction() const;
   [[nodiscard]] double area() const { return mesh::cross_section(options_.shape); }
   [[noreturn]] void refuse_porosity(std::string_view why) const;

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <unordered_set>
 
+#include "column/protocol/weight.hpp"
 #include "dem/cloud.hpp"
 #include "dem/state.hpp"
 
@@ -24,21 +25,13 @@ void take_over(const dem::DemState& state, dem::Dem& dem) {
 
 }  // namespace
 
-double dry_weight(const SettleOptions& options, const dem::BeadProperties& bead) {
-  return bead.density * sphere(bead.diameter) * options.gravity;
-}
-
-double submerged_weight(const SettleOptions& options, const dem::BeadProperties& bead) {
-  return (bead.density - options.liquid_density) * sphere(bead.diameter) * options.gravity;
-}
-
 std::int64_t add_beads(
     const SettleOptions& options, double low, double volume, std::int64_t next_id, dem::Dem& dem) {
   std::vector<dem::BeadProperties> beads;
   std::vector<double> diameters;
   for (double sum = 0.0; sum < volume; sum += sphere(diameters.back())) {
     beads.push_back(options.bead(next_id++));
-    beads.back().weight = dry_weight(options, beads.back());
+    beads.back().weight = weight_of(beads.back(), options.gravity, 0.0);
     diameters.push_back(beads.back().diameter);
   }
   const auto cloud =

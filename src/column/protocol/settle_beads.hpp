@@ -9,10 +9,6 @@
 
 namespace packbed::column {
 
-/// Weight of a bead without buoyancy, and with it [N].
-double dry_weight(const SettleOptions& options, const dem::BeadProperties& bead);
-double submerged_weight(const SettleOptions& options, const dem::BeadProperties& bead);
-
 /// Puts a small cloud of dry beads above `low` [m], ids from `next_id` on, of solid volume `volume`
 /// [m3] or a little more. Returns the next id after them.
 std::int64_t add_beads(
