@@ -35,7 +35,9 @@ struct Settling {
 };
 
 /// `count` grains as a cloud in a slice of 2 mm x 0.7 mm, with a floor, walls and a lid out of the way.
-inline Settling cloud_of(std::int64_t count, double friction = 0.1) {
+inline Settling cloud_of(std::int64_t count,
+                         double friction = 0.1,
+                         const Ranks& ranks = Ranks::alone()) {
   const mesh::Slice slice{.inner_diameter = 2e-3, .depth = 0.7e-3, .height = 0.1};
   std::vector<dem::BeadStart> beads;
   std::vector<double> diameters;
@@ -75,7 +77,7 @@ inline Settling cloud_of(std::int64_t count, double friction = 0.1) {
   settle.slice = 200;
   column::SettleState start;
   start.next_id = count;
-  return {dem::Dem(o, beads, walls), settle, start};
+  return {dem::Dem(o, beads, walls, ranks), settle, start};
 }
 
 }  // namespace packbed::test
