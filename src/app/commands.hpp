@@ -12,6 +12,7 @@ namespace packbed::app {
 
 struct CheckCommand {
   std::filesystem::path file;
+  std::filesystem::path mesh_svg;  ///< file to draw the mesh to; empty: none
   bool json = false;
 };
 int check(const CheckCommand& command);
@@ -20,7 +21,8 @@ struct RunCommand {
   std::filesystem::path file;
   std::string directory;  ///< empty: as the case says
   bool overwrite = false;
-  int ranks = 0;  ///< processes to start; 0: as many as serve
+  bool resume = false;  ///< from the last checkpoint in the folder
+  int ranks = 0;        ///< processes to start; 0: as many as serve
   bool json = false;
 };
 int run(const RunCommand& command);

@@ -33,7 +33,12 @@ void add_run(CLI::App& app, RunCommand& options, Action& action) {
       ->add_option("-n,--ranks", options.ranks,
                    "Processes to share the run; by default as many cores as it can use")
       ->check(CLI::Range(1, 4096));
-  command->add_flag("--overwrite", options.overwrite, "Replace results of an earlier run");
+  auto* overwrite =
+      command->add_flag("--overwrite", options.overwrite, "Replace results of an earlier run");
+  command
+      ->add_flag("--resume", options.resume,
+                 "Go on with an interrupted run from its last checkpoint")
+      ->excludes(overwrite);
   add_json(*command, options.json);
   command->callback([&] { action = [&] { return run(options); }; });
 }
@@ -42,6 +47,8 @@ void add_check(CLI::App& app, CheckCommand& options, Action& action) {
   auto* command = app.add_subcommand(
       "check", "Read a case and print it with every default filled in, and its figures");
   command->add_option("CASE", options.file, "Case file (TOML)")->required();
+  command->add_option("--mesh-svg", options.mesh_svg,
+                      "Also draw the cross-section of the mesh to this file (SVG)");
   add_json(*command, options.json);
   command->callback([&] { action = [&] { return check(options); }; });
 }

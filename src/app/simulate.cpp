@@ -2,186 +2,21 @@
 #include "app/simulate.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <cstdlib>
-#include <functional>
 #include <optional>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include "column/protocol/run_step.hpp"
+#include "app/progress.hpp"
+#include "app/run_checkpoint.hpp"
+#include "app/run_log.hpp"
+#include "app/stages.hpp"
+#include "app/stop_signal.hpp"
 #include "core/error.hpp"
-#include "core/file.hpp"
 #include "core/version.hpp"
-#include "io/bead_csv.hpp"
-#include "io/series.hpp"
 #include "setup/make_dem.hpp"
 
 namespace packbed::app {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// Ratio of two sums that may both be zero.
-double ratio(double a, double b) { return b > 0.0 ? a / b : 0.0; }
-
-/// Calls visit(plan) for every step "run", in their order.
-void for_each_run(const setup::Case& c,
-                  const std::vector<setup::ProtocolStep>& steps,
-                  double step,
-                  const std::function<void(const column::RunPlan&)>& visit) {
-  for (const auto& s : steps) {
-    if (const auto* run = std::get_if<setup::Run>(&s.what)) {
-      visit(column::plan_run(run->duration, step, c.output.interval));
-    } else if (const auto* repeat = std::get_if<setup::Repeat>(&s.what)) {
-      for (std::int64_t k = 0; k < repeat->count; ++k) for_each_run(c, repeat->steps, step, visit);
-    }
-  }
-}
-
-/// Time steps of all of them; a double, since there may be any number.
-double steps_of(const setup::Case& c, const std::vector<setup::ProtocolStep>& steps, double step) {
-  double total = 0.0;
-  for (const auto& s : steps) {
-    if (const auto* run = std::get_if<setup::Run>(&s.what)) {
-      total += static_cast<double>(column::plan_run(run->duration, step, c.output.interval).steps);
-    } else if (const auto* repeat = std::get_if<setup::Repeat>(&s.what)) {
-      total += static_cast<double>(repeat->count) * steps_of(c, repeat->steps, step);
-    }
-  }
-  return total;
-}
-
-std::array<double, 3> as_array(const Vec3& a) { return {a.x, a.y, a.z}; }
-
-/// Everything that is written while a run is under way.
-class Outputs {
- public:
-  Outputs(const setup::Case& c,
-          const std::filesystem::path& folder,
-          double steps,
-          std::vector<std::string> walls)
-      : folder_(folder),
-        beads_csv_(c.output.beads_csv),
-        steps_(steps),
-        walls_(std::move(walls)),
-        beads_(setup::make_beads(c)) {
-    if (!Ranks::all().is_first()) return;
-    series_.emplace(folder / "series.csv", columns(walls_));
-    if (beads_csv_) std::filesystem::create_directories(folder / "frames");
-    std::ranges::sort(beads_, {}, [](const auto& bead) { return bead.properties.id; });
-  }
-
-  void write(const dem::Dem& dem, std::size_t stage) {
-    const auto s = dem.snapshot();
-    if (!std::isfinite(s.kinetic_energy) || !std::isfinite(s.elastic_energy)) {
-      throw DivergenceError(fmt::format(
-          "step {}, time {:.6g} s: the energy of the beads is not a finite number; start them "
-          "slower, or take a smaller step",
-          dem.steps(), s.time));
-    }
-    if (!series_) return;  // the first rank writes
-    std::vector<io::Cell> row = {s.time,
-                                 dem.steps(),
-                                 static_cast<std::int64_t>(stage),
-                                 s.mean_overlap,
-                                 s.max_overlap_ratio,
-                                 s.coordination_number,
-                                 s.kinetic_energy,
-                                 s.elastic_energy,
-                                 ratio(s.kinetic_energy, s.elastic_energy),
-                                 ratio(s.mean_unbalanced_force, s.mean_contact_force),
-                                 dem.bead_count()};
-    for (const auto& force : s.wall_force) {
-      for (const double component : as_array(force)) row.emplace_back(component);
-    }
-    series_->row(row);
-    if (beads_csv_) write_beads(s);
-    summary.kinetic_to_elastic = ratio(s.kinetic_energy, s.elastic_energy);
-    summary.unbalanced_force = ratio(s.mean_unbalanced_force, s.mean_contact_force);
-    summary.max_overlap_ratio = std::max(summary.max_overlap_ratio, s.max_overlap_ratio);
-    summary.coordination_number = s.coordination_number;
-    show_progress(dem);
-  }
-
-  RunSummary summary;
-
- private:
-  static std::vector<std::string> columns(const std::vector<std::string>& walls) {
-    std::vector<std::string> names = {"time_s",
-                                      "step",
-                                      "stage",
-                                      "mean_overlap_m",
-                                      "max_overlap_ratio",
-                                      "coordination_number",
-                                      "kinetic_energy_J",
-                                      "elastic_energy_J",
-                                      "kinetic_to_elastic",
-                                      "unbalanced_force",
-                                      "particles"};
-    for (const auto& wall : walls) {
-      for (const char axis : {'x', 'y', 'z'}) names.push_back(fmt::format("{}_f{}_N", wall, axis));
-    }
-    return names;
-  }
-
-  void write_beads(const dem::Snapshot& s) {
-    std::vector<io::BeadRow> rows;
-    for (std::size_t i = 0; i < beads_.size(); ++i) {
-      const auto& p = beads_[i].properties;
-      rows.push_back({.id = p.id,
-                      .x = as_array(s.x[i]),
-                      .v = as_array(s.v[i]),
-                      .w = as_array(s.w[i]),
-                      .diameter = p.diameter,
-                      .fixed = p.fixed,
-                      .density = p.density,
-                      .youngs_modulus = p.material.youngs_modulus,
-                      .poisson_ratio = p.material.poisson_ratio,
-                      .force = as_array(s.force[i]),
-                      .torque = as_array(s.torque[i])});
-    }
-    io::write_bead_csv(folder_ / "frames" / fmt::format("beads_{:06}.csv", frame_++), rows);
-  }
-
-  void show_progress(const dem::Dem& dem) {
-    const bool terminal = isatty(STDERR_FILENO) == 1 || std::getenv("PACKBED_PROGRESS") != nullptr;
-    const double done = steps_ > 0.0 ? static_cast<double>(dem.steps()) / steps_ : 1.0;
-    const double spent = seconds_since(start_);
-    if (!terminal || (spent - shown_ < 0.2 && done < 1.0)) return;
-    shown_ = spent;
-    const double rate = static_cast<double>(dem.steps()) * static_cast<double>(dem.bead_count()) /
-                        std::max(spent, 1e-9);
-    fmt::print(
-        stderr, "\rrun: {:5.1f} %  time {:.4g} s  {:.3g} million particle-steps/s  {:.0f} s left ",
-        100.0 * done, dem.time(), rate * 1e-6, done > 0.0 ? spent * (1.0 - done) / done : 0.0);
-    if (done >= 1.0) fmt::print(stderr, "\n");
-  }
-
-  std::filesystem::path folder_;
-  bool beads_csv_;
-  double steps_;
-  std::vector<std::string> walls_;
-  std::vector<dem::BeadStart> beads_;  ///< in the order of ids
-  std::optional<io::SeriesWriter> series_;
-  std::int64_t frame_ = 0;
-  double shown_ = -1.0;
-  Clock::time_point start_ = Clock::now();
-};
-
-bool only_runs(const std::vector<setup::ProtocolStep>& steps) {
-  return std::ranges::all_of(steps, [](const auto& s) {
-    const auto* repeat = std::get_if<setup::Repeat>(&s.what);
-    return std::holds_alternative<setup::Run>(s.what) ||
-           (repeat != nullptr && only_runs(repeat->steps));
-  });
-}
 
 void check_resolution(const setup::Case& c, const dem::StepChoice& choice) {
   const double per_contact = choice.contact_time / choice.step;
@@ -194,64 +29,154 @@ void check_resolution(const setup::Case& c, const dem::StepChoice& choice) {
                   choice.contact_time / dem::fewest_steps_per_contact));
 }
 
-std::string log_head(const setup::Case& c, const dem::StepChoice& choice, double steps) {
-  std::string text = fmt::format("packbed {}, case {}\n", version, c.file.string());
-  text += fmt::format("{} beads on {} ranks\n", c.beads.table.size(), Ranks::all().size());
-  text +=
-      fmt::format("inertia scale {}{}\n", c.numerics.inertia_scale.value_or(1.0),
-                  c.numerics.inertia_scale ? "" : " (auto: beads of a step \"run\" move freely)");
-  text += fmt::format(
-      "time step {:.6g} s ({}); shortest contact {:.6g} s; stable in a bed up to about "
-      "{:.6g} s\n",
-      choice.step, c.numerics.step ? "given" : "recommended", choice.contact_time,
-      choice.stable_in_a_bed);
-  return text + fmt::format("{:.0f} time steps to do\n", steps);
-}
+/// A run while it is under way.
+class Simulation {
+ public:
+  Simulation(const setup::Case& c, const std::filesystem::path& folder, bool resume)
+      : c_(c),
+        folder_(folder),
+        choice_(setup::step_of(c)),
+        stages_(stage_count(c)),
+        total_steps_(std::max(expected_steps(c, choice_.step), 1.0)),
+        log_(folder / "run.log", resume) {
+    check_resolution(c, choice_);
+    if (resume) {
+      go_on();
+    } else {
+      start();
+    }
+  }
 
-std::string log_end(const setup::Case& c, const RunSummary& s) {
-  const double rate = static_cast<double>(s.steps) * static_cast<double>(c.beads.table.size()) /
-                      std::max(s.wall_time, 1e-9);
-  return fmt::format(
-      "done: {:.6g} s simulated, {} renewals of the list of pairs, {:.3g} s wall time, "
-      "{:.3g} million particle-steps/s with outputs\n",
-      s.simulated_time, s.renewals, s.wall_time, rate * 1e-6);
-}
+  void run() {
+    for (; now_.stage < stages_; ++now_.stage) {
+      carry_out_stage();
+      steps_behind_ += expected_steps(c_, now_.stage, choice_.step);
+    }
+    progress_->end();
+  }
+
+  [[nodiscard]] RunSummary summary() const {
+    return {.simulated_time = dem_->time(),
+            .steps = dem_->steps(),
+            .renewals = dem_->renewals(),
+            .step = dem_->options().step,
+            .inertia_scale = dem_->options().inertia_scale,
+            .beads = dem_->bead_count(),
+            .figures = outputs_->figures(),
+            .wall_time = seconds_since(start_)};
+  }
+
+ private:
+  void start() {
+    log_.line(fmt::format("packbed {}, case {}", version, c_.file.string()));
+    dem_.emplace(setup::make_dem(c_, choice_.step, Ranks::all()));
+    log_.line(fmt::format("{} beads on {} ranks", dem_->bead_count(), Ranks::all().size()));
+    log_.line(fmt::format("inertia scale {}{}", c_.numerics.inertia_scale.value_or(1.0),
+                          c_.numerics.inertia_scale ? "" : " (auto: beads move freely)"));
+    log_.line(fmt::format(
+        "time step {:.6g} s ({}); shortest contact {:.6g} s; stable in a bed up to about {:.6g} s",
+        choice_.step, c_.numerics.step ? "given" : "recommended", choice_.contact_time,
+        choice_.stable_in_a_bed));
+    outputs_.emplace(c_, folder_, *dem_, nullptr);
+    progress_.emplace(0);
+    outputs_->row(*dem_, 0);
+    outputs_->stage_end(*dem_, 0);
+  }
+
+  void go_on() {
+    const auto saved = read_checkpoint(c_, folder_);
+    now_ = saved.state;
+    dem_.emplace(setup::options_of(c_, choice_.step), saved.beads, dem::Dem::Lists::as_saved,
+                 Ranks::all());
+    outputs_.emplace(c_, folder_, *dem_, &now_.outputs);
+    progress_.emplace(dem_->steps());
+    for (std::int64_t k = 0; k < now_.stage; ++k) {
+      steps_behind_ += expected_steps(c_, k, choice_.step);
+    }
+    log_.line(fmt::format("resumed at step {}, time {:.6g} s, from {} on {} ranks", dem_->steps(),
+                          dem_->time(), saved.file.filename().string(), Ranks::all().size()));
+  }
+
+  void carry_out_stage() {
+    const auto stage = make_stage(c_, now_.stage, choice_);
+    if (now_.stage_state.is_null()) {
+      stage->begin(*dem_);
+    } else {
+      stage->load(now_.stage_state);
+    }
+    for (auto after = column::After::goes_on; after != column::After::end;) {
+      after = stage->advance(*dem_);
+      if (after != column::After::goes_on) outputs_->row(*dem_, now_.stage + 1);
+      show_progress(*stage);
+      if (after != column::After::end) answer_clock_and_signals(*stage);
+    }
+    if (stage->name() == "settle") outputs_->set_settled(*dem_);
+    outputs_->stage_end(*dem_, now_.stage + 1);
+    log_.line(fmt::format("stage {}: {}, {}", now_.stage + 1, stage->name(), stage->result(*dem_)));
+    now_.stage_state = nullptr;
+    checkpoint(now_.stage + 1);
+  }
+
+  void show_progress(const column::Stage& stage) {
+    if (!Ranks::all().is_first()) return;
+    const double here = expected_steps(c_, now_.stage, choice_.step);
+    const auto doing = stage.doing();
+    progress_->show(*dem_,
+                    {.stage = now_.stage + 1,
+                     .stages = stages_,
+                     .name = fmt::format("{}{}{}", stage.name(), doing.empty() ? "" : ": ", doing),
+                     .share = (steps_behind_ + here * stage.share_done(*dem_)) / total_steps_,
+                     .bed_height = outputs_->figures().bed.height});
+  }
+
+  // All ranks answer at the same slice: the clock is that of the first one, a signal may reach any.
+  void answer_clock_and_signals(const column::Stage& stage) {
+    const auto& interval = c_.output.checkpoint_interval;
+    const bool due = Ranks::all().is_first() && interval && seconds_since(saved_) >= *interval;
+    const double wish = Ranks::all().max(stop_was_asked() ? 2.0 : (due ? 1.0 : 0.0));
+    if (wish == 0.0) return;
+    now_.stage_state = stage.save();
+    const auto file = checkpoint(now_.stage);
+    if (wish < 2.0) return;
+    progress_->end();
+    const auto where = fmt::format("stopped at step {}, time {:.6g} s; checkpoint {}",
+                                   dem_->steps(), dem_->time(), file.string());
+    log_.line(where);
+    throw Stopped(where + "; go on with the same command and --resume");
+  }
+
+  std::filesystem::path checkpoint(std::int64_t stage) {
+    RunState state = now_;
+    state.stage = stage;
+    state.outputs = outputs_->save();
+    const int keep = stage == stages_ ? 1 : 2;
+    auto file = write_checkpoint(c_, folder_, *dem_, state, keep);
+    saved_ = Clock::now();
+    return file;
+  }
+
+  const setup::Case& c_;
+  std::filesystem::path folder_;
+  dem::StepChoice choice_;
+  std::int64_t stages_;
+  double total_steps_;
+  double steps_behind_ = 0.0;  ///< of the stages that are over, as expected
+  RunLog log_;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point saved_ = start_;
+  std::optional<dem::Dem> dem_;
+  std::optional<Outputs> outputs_;
+  std::optional<Progress> progress_;
+  RunState now_;
+};
 
 }  // namespace
 
-bool can_simulate(const setup::Case& c) { return c.beads.csv && only_runs(c.protocol); }
-
-RunSummary simulate(const setup::Case& c, const std::filesystem::path& folder) {
-  const auto start = Clock::now();
-  const auto choice = setup::step_of(c);
-  check_resolution(c, choice);
-  const double total = steps_of(c, c.protocol, choice.step);
-  const bool writes = Ranks::all().is_first();
-  auto log = log_head(c, choice, total);
-  if (writes) write_text_file(folder / "run.log", log);
-
-  auto dem = setup::make_dem(c, choice.step, Ranks::all());
-  std::vector<std::string> walls;
-  for (const auto& wall : dem.walls()) walls.push_back(wall.name);
-  Outputs outputs(c, folder, total, walls);
-  outputs.write(dem, 0);
-  std::size_t stage = 0;
-  double last_step = choice.step;
-  for_each_run(c, c.protocol, choice.step, [&](const column::RunPlan& plan) {
-    ++stage;
-    last_step = plan.step;
-    column::run_step(dem, plan, c.numerics.force_step, [&] { outputs.write(dem, stage); });
-    log += fmt::format("stage {}: run, {} steps of {:.6g} s\n", stage, plan.steps, plan.step);
-  });
-  auto summary = outputs.summary;
-  summary.simulated_time = dem.time();
-  summary.steps = dem.steps();
-  summary.renewals = dem.renewals();
-  summary.step = last_step;
-  summary.inertia_scale = c.numerics.inertia_scale.value_or(1.0);
-  summary.wall_time = seconds_since(start);
-  if (writes) write_text_file(folder / "run.log", log + log_end(c, summary));
-  return summary;
+RunSummary simulate(const setup::Case& c, const std::filesystem::path& folder, bool resume) {
+  watch_stop_signals();
+  Simulation simulation(c, folder, resume);
+  simulation.run();
+  return simulation.summary();
 }
 
 }  // namespace packbed::app

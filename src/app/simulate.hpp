@@ -2,11 +2,11 @@
 #pragma once
 
 /// @file
-/// Carries out the protocol of a case and writes its results.
+/// Carries out the protocol of a case, stage by stage, and writes its results.
 
 #include <filesystem>
-#include <string>
 
+#include "app/outputs.hpp"
 #include "setup/case.hpp"
 
 namespace packbed::app {
@@ -16,20 +16,15 @@ struct RunSummary {
   double simulated_time = 0.0;  ///< [s]
   std::int64_t steps = 0;
   std::int64_t renewals = 0;
-  double step = 0.0;           ///< of the beads [s]
-  double inertia_scale = 1.0;  ///< "auto" is 1 here: beads of a step "run" move freely
-  double kinetic_to_elastic = 0.0;
-  double unbalanced_force = 0.0;  ///< mean unbalanced / mean contact force
-  double max_overlap_ratio = 0.0;
-  double coordination_number = 0.0;
-  double wall_time = 0.0;  ///< [s]
+  double step = 0.0;           ///< of the beads, the last one [s]
+  double inertia_scale = 1.0;  ///< the last one
+  std::int64_t beads = 0;      ///< at the end
+  RowFigures figures;
+  double wall_time = 0.0;  ///< of this process [s]
 };
 
-/// Whether this version can carry the whole protocol out: beads from a file, steps "run" only.
-bool can_simulate(const setup::Case& c);
-
-/// Runs it in `folder`, which exists: series.csv, run.log and, where asked for, frames/beads_N.csv.
-/// Progress goes to standard error.
-RunSummary simulate(const setup::Case& c, const std::filesystem::path& folder);
+/// Runs it in `folder`, which exists. With `resume` it goes on from the last checkpoint there.
+/// Throws Stopped after a signal, once a checkpoint is written. Progress goes to standard error.
+RunSummary simulate(const setup::Case& c, const std::filesystem::path& folder, bool resume);
 
 }  // namespace packbed::app

@@ -25,6 +25,7 @@ const std::vector<Examples> examples = {
     {Dimension::density, {"1140 kg/m3", "1.14 g/cm3", "998 kg m-3", "1.05 g/mL"}},
     {Dimension::temperature, {"20 degC", "293.15 K", "68 degF"}},
     {Dimension::force, {"0.5 N", "48 mN", "50 uN"}},
+    {Dimension::frequency, {"30 Hz", "1800 min-1"}},
     {Dimension::fraction, {"0.38", "38 %"}},
 };
 

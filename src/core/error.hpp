@@ -41,4 +41,10 @@ struct DivergenceError : Error {
   [[nodiscard]] ExitCode exit_code() const noexcept override { return ExitCode::numerics; }
 };
 
+/// A run was stopped by a signal after it had written a checkpoint; says how to go on.
+struct Stopped : Error {
+  using Error::Error;
+  [[nodiscard]] ExitCode exit_code() const noexcept override { return ExitCode::stopped; }
+};
+
 }  // namespace packbed

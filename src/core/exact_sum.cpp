@@ -1,11 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/exact_sum.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace packbed {
+namespace {
+
+constexpr int bits = 60;
+constexpr int limb = 40;
+constexpr int smallest_exponent = -900;  // so that 1 / unit is finite
+
+}  // namespace
+
+ExactSums::ExactSums(std::size_t count, double largest)
+    : sums_(count, 0),
+      exponent_((largest > 0.0 ? std::max(std::ilogb(largest) + 1, smallest_exponent) : 0) - bits),
+      to_integer_(std::ldexp(1.0, -exponent_)) {}
+
+std::vector<double> ExactSums::totals(const Ranks& ranks) const {
+  const Wide low_mask = (Wide{1} << limb) - 1;
+  std::vector<std::int64_t> limbs;
+  limbs.reserve(2 * sums_.size());
+  for (const Wide sum : sums_) {
+    limbs.push_back(static_cast<std::int64_t>(sum & low_mask));
+    limbs.push_back(static_cast<std::int64_t>(sum >> limb));
+  }
+  ranks.sum(limbs);
+  std::vector<double> totals(sums_.size());
+  for (std::size_t k = 0; k < totals.size(); ++k) {
+    const Wide total = (static_cast<Wide>(limbs[2 * k + 1]) << limb) + limbs[2 * k];
+    totals[k] = std::ldexp(static_cast<double>(total), exponent_);
+  }
+  return totals;
+}
 
 double order_independent_sum(std::span<const double> terms, const Ranks& ranks) {
   double largest = 0.0;
@@ -19,20 +49,9 @@ double order_independent_sum(std::span<const double> terms, const Ranks& ranks) 
   if (std::isnan(largest)) return largest;
   if (largest == 0.0) return 0.0;
 
-  __extension__ using Wide = __int128;
-  constexpr int bits = 60;
-  constexpr int limb = 40;
-  const int exponent = std::ilogb(largest) + 1;  // largest < 2^exponent
-  Wide sum = 0;
-  for (const double term : terms) {
-    sum += static_cast<Wide>(std::llrint(std::ldexp(term, bits - exponent)));
-  }
-  const Wide low_mask = (Wide{1} << limb) - 1;
-  std::array<std::int64_t, 2> limbs = {static_cast<std::int64_t>(sum & low_mask),
-                                       static_cast<std::int64_t>(sum >> limb)};
-  ranks.sum(limbs);
-  const Wide total = (static_cast<Wide>(limbs[1]) << limb) + limbs[0];
-  return std::ldexp(static_cast<double>(total), exponent - bits);
+  ExactSums sum(1, largest);
+  for (const double term : terms) sum.add(0, term);
+  return sum.totals(ranks)[0];
 }
 
 }  // namespace packbed

@@ -27,6 +27,7 @@ constexpr std::array dimension_table = {
     DimensionInfo{Dimension::density, "density", "kg/m3", "kg_m3", "1140 kg/m3"},
     DimensionInfo{Dimension::temperature, "temperature", "K", "K", "20 degC"},
     DimensionInfo{Dimension::force, "force", "N", "N", "0.5 N"},
+    DimensionInfo{Dimension::frequency, "frequency", "Hz", "Hz", "30 Hz"},
     DimensionInfo{Dimension::fraction, "fraction", "1", "", "0.38"},
 };
 

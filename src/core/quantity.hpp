@@ -23,6 +23,7 @@ enum class Dimension {
   density,
   temperature,
   force,
+  frequency,
   fraction,
 };
 

@@ -72,6 +72,9 @@ class ContactList {
   [[nodiscard]] PairKey key(std::size_t k) const;
   [[nodiscard]] PairContact pair(std::size_t k) const;
   [[nodiscard]] std::vector<PairContact> pairs() const;
+  void set_coefficients(std::size_t k, const Coefficients& c) {
+    put(blocks[k / lanes].coefficient, static_cast<int>(k % lanes), {c.a, c.b, c.c});
+  }
 
   /// Room for `count` pairs, so that blocks are not moved while they come.
   void reserve(std::size_t count) { blocks.reserve((count + lanes - 1) / lanes); }

@@ -50,8 +50,9 @@ Dem::Dem(const DemOptions& options,
       wall_contacts_(walls_.size()),
       ranks_(ranks),
       bead_count_(static_cast<std::int64_t>(beads.size())),
-      cell_(std::max(largest_diameter(beads), 1e-12)),
-      partition_(options.domain, cell_, ranks) {
+      largest_diameter_(largest_diameter(beads)),
+      cell_(std::max(largest_diameter_, 1e-12)),
+      partition_(options.domain, cell_, ranks, options.mesh) {
   constexpr double skin_of_diameter = 0.05;
   if (options_.skin <= 0.0) options_.skin = skin_of_diameter * cell_;
   near_skin_ = options_.skin / 16.0;

@@ -6,11 +6,14 @@
 /// velocities stand at half steps, and the laws see v(n - 1/2). Order 2 without damping, 1 with.
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/ranks.hpp"
 #include "dem/contact_list.hpp"
+#include "dem/contact_report.hpp"
 #include "dem/domain.hpp"
 #include "dem/exchange.hpp"
 #include "dem/force_pass.hpp"
@@ -19,6 +22,7 @@
 #include "dem/particles.hpp"
 #include "dem/partition.hpp"
 #include "dem/stable_step.hpp"
+#include "dem/state.hpp"
 #include "dem/walls.hpp"
 
 namespace packbed::dem {
@@ -32,6 +36,9 @@ struct DemOptions {
   double skin = 0.0;                ///< gap below which pairs are listed [m]; 0: chosen
   double overlap_limit = 0.3;       ///< of the smaller diameter; beyond it the run stops
   double load_tolerance = 1.2;      ///< beads of the fullest rank over the mean, before a new cut
+  /// Cells by which beads belong to ranks; rows of the key grid if there are none. Not copied: it may
+  /// be stretched during the run, alike on all ranks.
+  std::shared_ptr<const mesh::ColumnMesh> mesh = {};
 };
 
 /// What a look at the beds costs, so it is taken when asked for: forces at the present positions,
@@ -40,7 +47,8 @@ struct Snapshot {
   double time;                      ///< [s]
   std::vector<Vec3> x, v, w;        ///< one per bead, in the order of ids
   std::vector<Vec3> force, torque;  ///< of contacts and walls, without weight
-  std::vector<Vec3> wall_force;     ///< on each wall [N]
+  std::vector<BeadProperties> beads;  ///< likewise
+  std::vector<Vec3> wall_force;       ///< on each wall [N]
   double kinetic_energy;            ///< with the masses that move [J]
   double elastic_energy;            ///< of normal and tangential springs [J]
   double mean_contact_force;        ///< of touching pairs and wall contacts [N]
@@ -59,6 +67,15 @@ class Dem {
       std::vector<Wall> walls,
       const Ranks& ranks = Ranks::alone());
 
+  /// Goes on from a state, that of all ranks, with the same bits. With Lists::anew beads may have been
+  /// added or taken away (their contacts too, as no bead is where a contact's id points): lists are
+  /// renewed at once. `options` give domain, laws and limits; the state gives the rest.
+  enum class Lists { as_saved, anew };
+  Dem(const DemOptions& options,
+      const DemState& all,
+      Lists lists,
+      const Ranks& ranks = Ranks::alone());
+
   /// `count` time steps. Throws DivergenceError naming bead, position and step.
   void run(std::int64_t count);
 
@@ -69,8 +86,27 @@ class Dem {
     options_.step = step;
   }
 
+  // What a protocol changes on the way; between steps.
+  void set_background_damping(double rate) { options_.background_damping = rate; }  ///< [1/s]
+  void set_friction(double friction) { options_.model.friction = friction; }  ///< bead on bead
+  /// Of the rolling law, if it has one.
+  void set_rolling_friction(double mu_r);
+  /// Weight less buoyancy, downwards [N], of each bead.
+  void set_weights(const std::function<double(const BeadProperties&)>& weight);
+  void set_inertia_scale(double scale);
+  /// All diameters times `factor`, at constant density: masses, weights, moments of inertia and the
+  /// coefficients of all contacts follow; centers, velocities, spins and springs (as lengths and
+  /// angles) stay, and so do skin and box. The lists are renewed. All ranks call it. Throws ValueError
+  /// for a factor that is not positive, DivergenceError for overlaps beyond the limit.
+  void scale_diameters(double factor);
+
+  /// This rank's share of everything that the next steps depend on (dem/state.hpp).
+  [[nodiscard]] DemState state() const;
+
   /// All ranks call it; the beads are on rank 0, the sums everywhere.
   [[nodiscard]] Snapshot snapshot() const;
+  /// All ranks call it; the contacts are on rank 0, sorted by ids, the lower one first.
+  [[nodiscard]] std::vector<ContactReport> touching_contacts() const;
   /// Throws DivergenceError for the first overlap beyond the limit. The driver asks at every output.
   void check_overlaps() const;
   /// Of the beads of all ranks; all call it.
@@ -79,6 +115,7 @@ class Dem {
   [[nodiscard]] double time() const {
     return time_before_ + static_cast<double>(steps_ - steps_before_) * options_.step;
   }
+  [[nodiscard]] const DemOptions& options() const { return options_; }
   [[nodiscard]] std::int64_t steps() const { return steps_; }
   [[nodiscard]] std::int64_t renewals() const { return renewals_; }
   /// Own and halo beads of this rank.
@@ -88,9 +125,14 @@ class Dem {
   [[nodiscard]] const Ranks& ranks() const { return ranks_; }
   [[nodiscard]] const ContactList& contacts() const { return contacts_; }
   [[nodiscard]] std::vector<Wall>& walls() { return walls_; }
+  [[nodiscard]] const std::vector<Wall>& walls() const { return walls_; }
   [[nodiscard]] const std::vector<WallContacts>& wall_contacts() const { return wall_contacts_; }
 
  private:
+  void take_over(const DemProgress& progress);
+  void restore_lists(const DemState& all);
+  void start_anew(const DemState& all);
+  [[nodiscard]] Motion motion_of(const BeadProperties& bead, const Vec3& x, const Vec3& v) const;
   void step_once();
   void renew();
   void renew_if_needed();
@@ -130,7 +172,8 @@ class Dem {
   std::vector<Run> own_runs_;
   std::int64_t bead_count_ = 0;
   std::int64_t repartitions_ = 0;
-  double cell_ = 0.0;  ///< width of the key grid [m]
+  double largest_diameter_ = 0.0;  ///< of all ranks' beads [m]
+  double cell_ = 0.0;              ///< width of the key grid: the largest diameter at the start [m]
 
   // Two lists, two skins. Pairs within options_.skin are found at renewals, which also bring the beads
   // into a new order. Of these, pairs within near_skin_ are listed with their springs. What decides of

@@ -2,51 +2,48 @@
 #pragma once
 
 /// @file
-/// Which rank owns which bead: the rows (z-slab, y-row) of the key grid, in their order, are cut into
-/// one run of rows per rank. The order of beads is that of the rows too, so a rank owns a piece of
-/// the global order.
+/// Which rank owns which bead: space is cut into numbered units, rows of the key grid or cells of the mesh,
+/// and each rank owns a run of them. Beads are ordered alike whoever owns them, so the own beads of a
+/// rank need not be a piece of that order.
 
-#include <array>
-#include <cstdint>
+#include <memory>
+#include <variant>
 #include <vector>
 
 #include "core/ranks.hpp"
 #include "core/vec3.hpp"
 #include "dem/domain.hpp"
+#include "dem/ownership_units.hpp"
+#include "mesh/cell_partition.hpp"
 
 namespace packbed::dem {
 
 class Partition {
  public:
-  /// `cell` as in key_order.
-  Partition(const Domain& domain, double cell, const Ranks& ranks)
-      : domain_(domain), cell_(cell), ranks_(ranks) {}
+  /// By the cells of `mesh`, or by rows if there is none; `cell` as in key_order.
+  Partition(const Domain& domain,
+            double cell,
+            const Ranks& ranks,
+            std::shared_ptr<const mesh::ColumnMesh> mesh = {});
 
-  /// Cuts the rows anew if a rank would own more than `tolerance` times the mean number of beads, or
+  /// Cuts the units anew if a rank would own more than `tolerance` times the mean number of beads, or
   /// if `always`. `own` are the centers of this rank's beads. Returns the load of the fullest rank over
   /// the mean, before the cut.
   double balance(const std::vector<Vec3>& own, double tolerance, bool always);
 
   [[nodiscard]] int owner(const Vec3& x) const;
-  /// Ranks that own rows within `reach` of a point, periodic sides included.
+  /// Ranks that own units within `reach` of a point, periodic sides included, in rising order.
   [[nodiscard]] std::vector<int> owners_within(const Vec3& x, double reach) const;
 
- private:
-  /// y-row and z-slab of a coordinate.
-  [[nodiscard]] std::int64_t slab(double a, std::size_t axis) const;
-  [[nodiscard]] std::vector<std::int64_t> slabs_within(double a,
-                                                       double reach,
-                                                       std::size_t axis) const;
-  [[nodiscard]] int owner_of_row(std::int64_t z, std::int64_t y) const;
-  [[nodiscard]] std::int64_t row(std::int64_t z, std::int64_t y) const;
-  void measure(const std::vector<Vec3>& own);
+  /// The runs of units. Those of cells are the partition of the mesh.
+  [[nodiscard]] const mesh::CellPartition& runs() const { return runs_; }
 
-  Domain domain_;
-  double cell_;
+ private:
+  [[nodiscard]] double fullest_over_mean(const std::vector<Vec3>& own) const;
+
+  std::variant<RowUnits, CellUnits> units_;
   Ranks ranks_;
-  std::array<std::int64_t, 2> first_{};  ///< lowest y-row and z-slab with beads
-  std::array<std::int64_t, 2> count_ = {1, 1};
-  std::vector<std::int64_t> end_;  ///< row behind the last one of each rank
+  mesh::CellPartition runs_;
 };
 
 }  // namespace packbed::dem

@@ -143,7 +143,7 @@ void Dem::trade_beads_and_contacts() {
   reorder(particles_, staying);
   add(particles_, arrived.beads);
   check_count();
-  add(particles_, halo(particles_, partition_, cell_ + options_.skin, ranks_));
+  add(particles_, halo(particles_, partition_, largest_diameter_ + options_.skin, ranks_));
   const auto order = key_order(particles_, options_.domain, cell_);
   reorder(particles_, order);
   own_runs_ = own_runs(particles_);

@@ -12,7 +12,7 @@ namespace {
 
 /// What a bead tells of itself.
 struct Row {
-  std::int64_t id = 0;
+  BeadProperties bead;
   Vec3 x, v, w, force, torque;
 };
 
@@ -98,14 +98,15 @@ Snapshot Dem::snapshot() const {
     const double keep = free ? 1.0 - 0.5 * last_step_ * options_.background_damping : 1.0;
     const Vec3 v = keep * m.v + (0.5 * last_step_ * m.inv_mass) * (p.load[i].force + weight);
     const Vec3 w = keep * p.spin[i].w + (0.5 * last_step_ * m.inv_inertia) * p.load[i].torque;
-    rows.push_back({p.properties[i].id, m.x, v, w, p.load[i].force, p.load[i].torque});
+    rows.push_back({p.properties[i], m.x, v, w, p.load[i].force, p.load[i].torque});
     if (!free) continue;
     kinetic.push_back(0.5 * dot(v, v) / m.inv_mass + 0.5 * dot(w, w) / m.inv_inertia);
     unbalanced.push_back(norm(p.load[i].force + weight));
   }
   rows = ranks_.gather(std::move(rows));
-  std::ranges::sort(rows, {}, &Row::id);
+  std::ranges::sort(rows, {}, [](const Row& row) { return row.bead.id; });
   for (const auto& row : rows) {
+    s.beads.push_back(row.bead);
     s.x.push_back(row.x);
     s.v.push_back(row.v);
     s.w.push_back(row.w);

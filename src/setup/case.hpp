@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "io/bead_csv.hpp"
+#include "mesh/cell_counts.hpp"
 #include "mesh/column_shape.hpp"
 #include "resin/size_distribution.hpp"
 #include "setup/echo.hpp"
@@ -27,8 +28,9 @@ struct Material {
 
 struct ColumnOptions {
   mesh::ColumnShape shape;
-  Material wall;  ///< of the tube, or of all walls of a box
-  Material frit;  ///< of both ends
+  Material wall;                          ///< of the tube, or of all walls of a box
+  Material frit;                          ///< of both ends
+  std::optional<mesh::MeshOptions> mesh;  ///< for the liquid; none when dry
   bool operator==(const ColumnOptions&) const = default;
 };
 
@@ -114,6 +116,14 @@ struct Compress {
   bool operator==(const Compress&) const = default;
 };
 
+/// The column is shaken: one period of a sine of acceleration per tap.
+struct Tap {
+  double amplitude;  ///< of the sine, as a displacement [m]
+  double frequency;  ///< [1/s]
+  std::int64_t count;
+  bool operator==(const Tap&) const = default;
+};
+
 struct ProtocolStep;
 
 struct Repeat {
@@ -123,7 +133,7 @@ struct Repeat {
 };
 
 struct ProtocolStep {
-  std::variant<Run, Settle, FlowRamp, Hold, Compress, Repeat> what;
+  std::variant<Run, Settle, Tap, FlowRamp, Hold, Compress, Repeat> what;
   bool operator==(const ProtocolStep& other) const;
 };
 
@@ -148,7 +158,10 @@ struct NumericsOptions {
 struct OutputOptions {
   std::string directory;   ///< as given; runs/<name of the case> by default
   double interval = 0.0;   ///< simulated time between rows of series.csv [s]
-  bool beads_csv = false;  ///< also write frames/beads_N.csv
+  bool beads_csv = false;  ///< also write frames/beads_N.csv at each row
+  bool frames = true;      ///< write frames/beads_N.hdf and contacts_N.hdf
+  std::optional<double> frame_interval;       ///< simulated [s]; none: at the ends of stages
+  std::optional<double> checkpoint_interval;  ///< wall time [s]; none: only when a run is stopped
   bool operator==(const OutputOptions&) const = default;
 };
 

@@ -58,6 +58,15 @@ double mass_of_file(const Case& c) {
   return mass;
 }
 
+MeshFigures mesh_figures(const mesh::ColumnShape& shape, const mesh::MeshOptions& options) {
+  const auto counts = mesh::cell_counts(shape, options);
+  const auto cells = static_cast<double>(counts.per_layer());
+  return {.counts = counts,
+          .cell_across = std::sqrt(mesh::cross_section(shape) / cells),
+          .cell_height = mesh::height(shape) / counts.layers,
+          .quality = mesh::quality({shape, counts})};
+}
+
 FlowFigures flow_figures(
     const LiquidOptions& liquid, const BedFigures& bed, double rho_p, double d32, double velocity) {
   const double gradient =
@@ -107,6 +116,7 @@ CaseFigures figures(const Case& c) {
   if (c.liquid && f.bed && velocity > 0.0 && f.bead_volume > 0.0) {
     f.flow = flow_figures(*c.liquid, *f.bed, f.bead_mass / f.bead_volume, f.sizes.sauter, velocity);
   }
+  if (c.column.mesh) f.mesh = mesh_figures(c.column.shape, *c.column.mesh);
   f.step = step_of(c);
   f.run_time = run_time(c.protocol);
   f.memory = f.bead_count * bytes_per_bead;

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "dem/step_choice.hpp"
+#include "mesh/mesh_quality.hpp"
 #include "resin/size_statistics.hpp"
 #include "setup/case.hpp"
 
@@ -27,6 +28,13 @@ struct BedFigures {
   bool porosity_is_set;  ///< by a settle step; assumed otherwise
 };
 
+struct MeshFigures {
+  mesh::CellCounts counts;
+  double cell_across;  ///< square root of the mean area of cells seen from above [m]
+  double cell_height;  ///< [m]
+  mesh::MeshQuality quality;
+};
+
 struct CaseFigures {
   resin::SizeStatistics sizes = {};  ///< of real beads (of the grains, where a bead file has them)
   double largest_grain = 0.0;        ///< coarse_grain included [m]
@@ -37,6 +45,7 @@ struct CaseFigures {
   double bead_volume = 0.0;          ///< of all beads [m3]
   std::optional<double> submerged_weight;  ///< weight less buoyancy [N]; none when dry
   std::optional<FlowFigures> flow;         ///< where there is a bed, a liquid and a flow
+  std::optional<MeshFigures> mesh;         ///< where there is a liquid
   dem::StepChoice step = {};               ///< of the beads, and what it rests on
   double run_time = 0.0;                   ///< simulated by steps that just run [s]
   double memory = 0.0;                     ///< of beads and contacts [B]

@@ -2,6 +2,7 @@
 #include "setup/case_report.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -67,6 +68,21 @@ std::string flow_lines(const FlowFigures& flow) {
                             flow.pressure_drop * per_bar, flow.pressure_gradient * per_bar));
 }
 
+std::string mesh_lines(const MeshFigures& mesh) {
+  constexpr double degrees = 180.0 / std::numbers::pi;
+  return figure("cells: in a layer, layers, all",
+                fmt::format("{}, {}, {}", mesh.counts.per_layer(), mesh.counts.layers,
+                            mesh.counts.all())) +
+         figure("mean size across, height",
+                fmt::format("{:.4g} mm, {:.4g} mm", mesh.cell_across * per_mm,
+                            mesh.cell_height * per_mm)) +
+         figure("largest non-orthogonality",
+                fmt::format("{:.1f} degrees", mesh.quality.largest_non_orthogonality * degrees)) +
+         figure("largest skewness, aspect ratio",
+                fmt::format("{:.2f}, {:.2f}", mesh.quality.largest_skewness,
+                            mesh.quality.largest_aspect));
+}
+
 std::string step_lines(const Case& c, const CaseFigures& f) {
   std::string text = figure("step", fmt::format("{:.4g} us ({})", f.step.step * per_um,
                                                 c.numerics.step ? "given" : "recommended")) +
@@ -126,6 +142,7 @@ std::string check_text(const Case& c, const CaseFigures& f) {
   text += fmt::format("#\n# Bed\n{}", bed_lines(f));
   if (c.liquid) text += fmt::format("#\n# Liquid\n{}", liquid_lines(*c.liquid));
   if (f.flow) text += fmt::format("#\n# Flow, at the highest velocity\n{}", flow_lines(*f.flow));
+  if (f.mesh) text += fmt::format("#\n# Mesh of the liquid\n{}", mesh_lines(*f.mesh));
   if (f.bead_count > 0.0) {
     text += fmt::format("#\n# Time step of the beads\n{}", step_lines(c, f));
   }
@@ -166,6 +183,19 @@ Json figures_json(const Case& c, const CaseFigures& f) {
   }
   if (c.liquid) {
     j["liquid"] = {{"density_kg_m3", c.liquid->density}, {"viscosity_Pa_s", c.liquid->viscosity}};
+  }
+  if (f.mesh) {
+    const auto& q = f.mesh->quality;
+    j["mesh"] = {{"cells_per_layer", f.mesh->counts.per_layer()},
+                 {"layers", f.mesh->counts.layers},
+                 {"cells", f.mesh->counts.all()},
+                 {"cell_across_m", f.mesh->cell_across},
+                 {"cell_height_m", f.mesh->cell_height},
+                 {"largest_non_orthogonality_rad", q.largest_non_orthogonality},
+                 {"mean_non_orthogonality_rad", q.mean_non_orthogonality},
+                 {"largest_skewness", q.largest_skewness},
+                 {"largest_aspect_ratio", q.largest_aspect},
+                 {"largest_over_smallest_area", q.largest_over_smallest}};
   }
   if (f.bead_count > 0.0) {
     j["time_step"] = {{"step_s", f.step.step},

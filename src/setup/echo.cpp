@@ -2,6 +2,7 @@
 #include "setup/echo.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -36,6 +37,23 @@ std::string toml_string(const std::string& text) {
     }
   }
   return quoted + "\"";
+}
+
+std::vector<FlatValue> flat_values(const Echo& echo) {
+  std::vector<FlatValue> all;
+  std::map<std::string, int> counts;  // of arrays of tables
+  for (const auto& table : echo) {
+    std::string name = table.header;
+    std::erase_if(name, [](char c) { return c == '[' || c == ']'; });
+    if (table.header.starts_with("[[")) name += fmt::format("[{}]", ++counts[name]);
+    for (const auto& entry : table.entries) {
+      std::string value;
+      for (const double si : entry.si) value += (value.empty() ? "" : ", ") + shortest(si);
+      if (entry.si.empty()) value = entry.toml;
+      all.push_back({name.empty() ? entry.key : name + "." + entry.key, value});
+    }
+  }
+  return all;
 }
 
 std::string to_toml(const Echo& echo) {

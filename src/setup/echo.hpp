@@ -33,6 +33,16 @@ using Echo = std::vector<EchoTable>;
 /// A case file with every value filled in; SI and origin stand in comments.
 std::string to_toml(const Echo& echo);
 
+/// One value of a case, by its full key: {"protocol[2].to", "0.007675"}; numbers in SI with all digits.
+struct FlatValue {
+  std::string key;
+  std::string value;
+  bool operator==(const FlatValue&) const = default;
+};
+
+/// All values of a case, so that two cases can be compared whatever units they are written in.
+std::vector<FlatValue> flat_values(const Echo& echo);
+
 /// Text as a TOML string.
 std::string toml_string(const std::string& text);
 

@@ -3,8 +3,10 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "resin/size_statistics.hpp"
+#include "setup/make_settle.hpp"
 
 namespace packbed::setup {
 namespace {
@@ -79,11 +81,18 @@ dem::Domain domain_of(const mesh::ColumnShape& shape) {
   return domain;
 }
 
-dem::BeadProperties properties(const Case& c,
-                               std::int64_t id,
-                               double diameter,
-                               double density,
-                               const dem::Material& material) {
+/// Value i of a column of the bead file, or that of the resin.
+double value(const std::vector<double>& column, std::size_t i, const std::optional<double>& resin) {
+  return column.empty() ? *resin : column[i];
+}
+
+}  // namespace
+
+dem::BeadProperties bead_properties(const Case& c,
+                                    std::int64_t id,
+                                    double diameter,
+                                    double density,
+                                    const dem::Material& material) {
   const double volume = std::numbers::pi / 6.0 * diameter * diameter * diameter;
   const double displaced = c.liquid ? c.liquid->density : 0.0;
   dem::BeadProperties p;
@@ -95,13 +104,6 @@ dem::BeadProperties properties(const Case& c,
   p.material = material;
   return p;
 }
-
-/// Value i of a column of the bead file, or that of the resin.
-double value(const std::vector<double>& column, std::size_t i, const std::optional<double>& resin) {
-  return column.empty() ? *resin : column[i];
-}
-
-}  // namespace
 
 dem::ContactModel contact_model(const Case& c) {
   const auto& r = c.resin;
@@ -133,14 +135,16 @@ std::vector<dem::Wall> make_walls(const Case& c) {
 }
 
 std::vector<dem::BeadStart> make_beads(const Case& c) {
+  if (makes_beads(c)) return make_cloud_beads(c);
   const auto& t = c.beads.table;
   std::vector<dem::BeadStart> beads(t.size());
   for (std::size_t i = 0; i < t.size(); ++i) {
     const dem::Material material{
         .youngs_modulus = value(t.youngs_modulus, i, c.resin.youngs_modulus),
         .poisson_ratio = value(t.poisson_ratio, i, c.resin.poisson_ratio)};
-    beads[i].properties = properties(c, t.id.empty() ? static_cast<std::int64_t>(i) : t.id[i],
-                                     t.diameter[i], value(t.density, i, c.resin.density), material);
+    beads[i].properties =
+        bead_properties(c, t.id.empty() ? static_cast<std::int64_t>(i) : t.id[i], t.diameter[i],
+                        value(t.density, i, c.resin.density), material);
     beads[i].properties.fixed = !t.fixed.empty() && t.fixed[i];
     beads[i].x = to_vec3(t.x[i]);
     beads[i].v = to_vec3(t.v[i]);
@@ -154,7 +158,7 @@ dem::StepChoice step_of(const Case& c) {
   if (c.resin.sizes) {
     const auto sizes = resin::statistics(*c.resin.sizes);
     for (const double d : {sizes.smallest, sizes.mean}) {
-      beads.push_back(properties(
+      beads.push_back(bead_properties(
           c, 0, c.resin.coarse_grain * d, *c.resin.density,
           {.youngs_modulus = *c.resin.youngs_modulus, .poisson_ratio = *c.resin.poisson_ratio}));
     }
@@ -169,7 +173,7 @@ dem::StepChoice step_of(const Case& c) {
   return choice;
 }
 
-dem::Dem make_dem(const Case& c, double step, const Ranks& ranks) {
+dem::DemOptions options_of(const Case& c, double step) {
   dem::DemOptions options;
   options.domain = domain_of(c.column.shape);
   options.model = contact_model(c);
@@ -177,7 +181,17 @@ dem::Dem make_dem(const Case& c, double step, const Ranks& ranks) {
   options.inertia_scale = c.numerics.inertia_scale.value_or(1.0);
   if (c.numerics.background_damping)
     options.background_damping = 1.0 / *c.numerics.background_damping;
-  return {options, make_beads(c), make_walls(c), ranks};
+  return options;
+}
+
+dem::Dem make_dem(const Case& c, double step, const Ranks& ranks) {
+  auto walls = make_walls(c);
+  if (makes_beads(c) && settles_first(c)) {
+    for (auto& wall : walls) {
+      if (wall.name == "lid") std::get<dem::Plane>(wall.surface).point.z = column::lid_away;
+    }
+  }
+  return {options_of(c, step), make_beads(c), std::move(walls), ranks};
 }
 
 }  // namespace packbed::setup

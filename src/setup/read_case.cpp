@@ -23,13 +23,13 @@ Case read_tables(const toml::table& table, Reading& reading) {
   if (!top.has("column")) {
     top.fail_missing("[column]", "is missing; a case has at least [column] and [resin]");
   }
-  c.column = read_column(top.table("column"));
+  c.column = read_column(top.table("column"), top.has("liquid"));
   c.beads = read_beads(top.table("beads"), c.column);
   c.resin = read_resin(top.table("resin"), reading.units, builtin_library(reading.units), c.beads,
                        c.column, top.has("liquid"));
   if (top.has("liquid")) c.liquid = read_liquid(top.table("liquid"));
   c.protocol = read_protocol(top.tables("protocol"), c.column, c.beads, c.liquid.has_value());
-  c.numerics = read_numerics(top.table("numerics"));
+  c.numerics = read_numerics(top.table("numerics"), c.protocol);
   c.output = read_output(top.table("output"), reading.file);
   return c;
 }

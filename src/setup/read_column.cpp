@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
 #include "setup/read_sections.hpp"
 
 namespace packbed::setup {
@@ -61,18 +66,64 @@ mesh::ColumnShape read_shape(Section& section) {
   }
 }
 
+std::string_view shape_name(const mesh::ColumnShape& shape) {
+  return std::holds_alternative<mesh::Slice>(shape) ? "slice" : "box";
+}
+
+void refuse_counts_of_other_shapes(Section& section, const mesh::ColumnShape& shape) {
+  if (std::holds_alternative<mesh::Cylinder>(shape)) {
+    for (const auto* key : {"cells_x", "cells_y"}) {
+      section.refuse(key, "does not apply to shape = \"cylinder\"; give core and ring");
+    }
+    return;
+  }
+  for (const auto* key : {"core", "ring"}) {
+    section.refuse(key, fmt::format("does not apply to shape = \"{}\"; give cells_x and cells_y",
+                                    shape_name(shape)));
+  }
+}
+
+// Cells of about 0.35 mm are the thesis's (table 5.2) in x and y; in z it has 1.17 mm.
+mesh::MeshOptions read_mesh(Section section, const mesh::ColumnShape& shape) {
+  section.mention({"cell", "cells_x", "cells_y", "core", "ring", "layers"});
+  refuse_counts_of_other_shapes(section, shape);
+  mesh::MeshOptions options;
+  options.cell = section.quantity("cell", Dimension::length, bounds::positive,
+                                  Fallback{"0.35 mm", "default: thesis table 5.2"});
+  if (std::holds_alternative<mesh::Cylinder>(shape)) {
+    options.core = section.optional_integer("core", 2);
+    options.ring = section.optional_integer("ring", 1);
+  } else {
+    options.cells_x = section.optional_integer("cells_x", 1);
+    options.cells_y = section.optional_integer("cells_y", 1);
+  }
+  options.layers = section.optional_integer("layers", 1);
+  section.finish();
+  try {
+    mesh::cell_counts(shape, options);
+  } catch (const ValueError& error) {
+    section.fail_here(fmt::format("{}; give a larger cell or fewer of them", error.what()));
+  }
+  return options;
+}
+
 }  // namespace
 
-ColumnOptions read_column(Section section) {
-  section.mention(
-      {"shape", "inner_diameter", "slice_depth", "height", "size", "boundaries", "wall", "frit"});
-  ColumnOptions column{.shape = read_shape(section), .wall = {}, .frit = {}};
+ColumnOptions read_column(Section section, bool has_liquid) {
+  section.mention({"shape", "inner_diameter", "slice_depth", "height", "size", "boundaries", "wall",
+                   "frit", "mesh"});
+  ColumnOptions column{.shape = read_shape(section), .wall = {}, .frit = {}, .mesh = {}};
   column.wall = read_material(section.table("wall"));
   if (std::holds_alternative<mesh::Box>(column.shape)) {
     section.refuse("frit", "does not apply to shape = \"box\", whose walls are all column.wall");
     column.frit = column.wall;
   } else {
     column.frit = read_material(section.table("frit"));
+  }
+  if (has_liquid) {
+    column.mesh = read_mesh(section.table("mesh"), column.shape);
+  } else {
+    section.refuse("mesh", "does not apply to a dry column; the mesh is for a [liquid]");
   }
   section.finish();
   return column;

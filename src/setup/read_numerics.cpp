@@ -3,7 +3,7 @@
 
 namespace packbed::setup {
 
-NumericsOptions read_numerics(Section section) {
+NumericsOptions read_numerics(Section section, const std::vector<ProtocolStep>& protocol) {
   NumericsOptions numerics{};
   numerics.step =
       section.quantity_or_word("step", Dimension::time, bounds::positive, "auto", Fallback{"auto"});
@@ -13,6 +13,9 @@ NumericsOptions read_numerics(Section section) {
   numerics.background_damping = section.quantity_or_word(
       "background_damping", Dimension::time, bounds::positive, "none", Fallback{"none"});
   numerics.gravity = section.boolean("gravity", true);
+  if (!numerics.gravity && needs_gravity(protocol)) {
+    section.fail("gravity", "does not go with a step \"settle\" or \"tap\", which needs gravity");
+  }
   numerics.force_step = section.boolean("force_step", false);
   section.finish();
   return numerics;
@@ -29,6 +32,15 @@ OutputOptions read_output(Section section, const std::filesystem::path& case_fil
   output.interval =
       section.quantity("interval", Dimension::time, bounds::positive, Fallback{"10 ms"});
   output.beads_csv = section.boolean("beads_csv", false);
+  output.frames = section.boolean("frames", true);
+  if (output.frames) {
+    output.frame_interval = section.quantity_or_word(
+        "frame_interval", Dimension::time, bounds::positive, "stage ends", Fallback{"stage ends"});
+  } else {
+    section.refuse("frame_interval", "applies only to frames = true");
+  }
+  output.checkpoint_interval = section.quantity_or_word(
+      "checkpoint_interval", Dimension::time, bounds::positive, "none", Fallback{"10 min"});
   section.finish();
   return output;
 }

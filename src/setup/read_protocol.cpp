@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <utility>
 
 #include "setup/read_sections.hpp"
@@ -20,8 +21,23 @@ Run read_run(Section& section) {
   return {.duration = section.quantity("duration", Dimension::time, bounds::not_negative)};
 }
 
+/// Beads that sink need something to sink to, and sides that hold them.
+void require_floor(const Section& section, const mesh::ColumnShape& shape) {
+  const auto* box = std::get_if<mesh::Box>(&shape);
+  if (box == nullptr) return;
+  if (box->boundaries[2] != mesh::Boundary::wall) {
+    section.fail("step", "needs a floor; give column.boundaries.z = \"wall\"");
+  }
+  if (box->boundaries[0] == mesh::Boundary::open || box->boundaries[1] == mesh::Boundary::open) {
+    section.fail("step",
+                 "needs sides that hold the beads; column.boundaries x and y must be "
+                 "\"wall\" or \"periodic\"");
+  }
+}
+
 Settle read_settle(Section& section, Context& context) {
   Settle settle;
+  require_floor(section, context.column.shape);
   section.mention({"bed_height", "friction", "porosity"});
   if (context.beads_are_counted && section.has("bed_height")) {
     section.fail("bed_height",
@@ -49,6 +65,26 @@ Settle read_settle(Section& section, Context& context) {
     section.fail("porosity", "does not go with friction; the friction follows from the porosity");
   }
   return settle;
+}
+
+// rpm and the like count radians, and would come out 6.28 times too fast.
+void refuse_angles(const Section& section, std::string_view key) {
+  const auto unit = split_quantity(section.last_text()).unit;
+  for (const auto* word : {"rpm", "rps", "rad", "rev", "cycle", "turn", "deg"}) {
+    if (unit.find(word) == std::string::npos) continue;
+    section.fail(key, "is the speed of a rotation; give the frequency in Hz or min-1");
+  }
+}
+
+Tap read_tap(Section& section, Context& context) {
+  Tap tap{};
+  section.mention({"amplitude", "frequency", "count"});
+  require_floor(section, context.column.shape);
+  tap.amplitude = section.quantity("amplitude", Dimension::length, bounds::positive);
+  tap.frequency = section.quantity("frequency", Dimension::frequency, bounds::positive);
+  refuse_angles(section, "frequency");
+  tap.count = section.integer("count", 1, Fallback{"1"});
+  return tap;
 }
 
 FlowRamp read_flow_ramp(Section& section, Context& context) {
@@ -123,7 +159,7 @@ Repeat read_repeat(Section& section, Context& context) {
 
 ProtocolStep read_step(Section section, Context& context) {
   const auto kind =
-      section.choice("step", {"run", "settle", "flow_ramp", "hold", "compress", "repeat"});
+      section.choice("step", {"run", "settle", "tap", "flow_ramp", "hold", "compress", "repeat"});
   ProtocolStep step{Run{}};
   switch (kind) {
     case 0:
@@ -133,12 +169,15 @@ ProtocolStep read_step(Section section, Context& context) {
       step.what = read_settle(section, context);
       break;
     case 2:
-      step.what = read_flow_ramp(section, context);
+      step.what = read_tap(section, context);
       break;
     case 3:
-      step.what = read_hold(section, context);
+      step.what = read_flow_ramp(section, context);
       break;
     case 4:
+      step.what = read_hold(section, context);
+      break;
+    case 5:
       step.what = read_compress(section, context);
       break;
     default:
@@ -150,6 +189,14 @@ ProtocolStep read_step(Section section, Context& context) {
 }
 
 }  // namespace
+
+bool needs_gravity(const std::vector<ProtocolStep>& protocol) {
+  return std::ranges::any_of(protocol, [](const ProtocolStep& step) {
+    const auto* repeat = std::get_if<Repeat>(&step.what);
+    return std::holds_alternative<Settle>(step.what) || std::holds_alternative<Tap>(step.what) ||
+           (repeat != nullptr && needs_gravity(repeat->steps));
+  });
+}
 
 std::vector<ProtocolStep> read_protocol(std::vector<Section> sections,
                                         const ColumnOptions& column,

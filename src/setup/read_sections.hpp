@@ -11,7 +11,8 @@
 
 namespace packbed::setup {
 
-ColumnOptions read_column(Section section);
+/// The column has a mesh if it `has_liquid`.
+ColumnOptions read_column(Section section, bool has_liquid);
 BeadOptions read_beads(Section section, const ColumnOptions& column);
 /// `library` has the resins that the program comes with; the case may add its own.
 /// Beads of a file that name their resin get its properties here.
@@ -28,7 +29,9 @@ std::vector<ProtocolStep> read_protocol(std::vector<Section> sections,
                                         const ColumnOptions& column,
                                         const BeadOptions& beads,
                                         bool has_liquid);
-NumericsOptions read_numerics(Section section);
+/// Whether a step makes beads sink.
+bool needs_gravity(const std::vector<ProtocolStep>& protocol);
+NumericsOptions read_numerics(Section section, const std::vector<ProtocolStep>& protocol);
 OutputOptions read_output(Section section, const std::filesystem::path& case_file);
 
 }  // namespace packbed::setup

@@ -51,6 +51,19 @@ TEST(Check, OfTheQuickstartIsACaseFileAgain) {
   EXPECT_GT(a["figures"]["flow"]["kozeny_carman_pressure_drop_Pa"], 0.0);
 }
 
+TEST(Check, DrawsTheMesh) {
+  const test::TemporaryFolder folder;
+  const auto svg = (folder.path() / "mesh.svg").string();
+
+  const auto check = run_packbed("check cases/quickstart.toml --mesh-svg " + svg);
+
+  EXPECT_EQ(check.code, 0) << check.err;
+  EXPECT_THAT(read_text_file(svg), HasSubstr("11 cells in a layer"));
+  EXPECT_EQ(run_packbed("check cases/01_two_beads_collide/case.toml --mesh-svg " + svg).err,
+            "packbed: cases/01_two_beads_collide/case.toml: --mesh-svg: there is no mesh without a "
+            "[liquid]; leave the option out, or give a liquid\n");
+}
+
 TEST(Check, IsTheSameUnderADecimalCommaLocale) {
   const auto plain = run_packbed("check cases/quickstart.toml");
   const auto german = test::run_shell(
@@ -104,8 +117,8 @@ TEST(Run, WritesTheSameOnSeveralRanks) {
   const auto two = test::run_on_ranks(2, arguments + "/two");
   ASSERT_EQ(two.code, 0) << two.err;
 
-  for (const auto* file : {"/series.csv", "/frames/beads_000010.csv"}) {
-    EXPECT_EQ(read_text_file(out + "/one" + file), read_text_file(out + "/two" + file)) << file;
+  for (const auto* name : {"/series.csv", "/frames/beads_000010.csv"}) {
+    EXPECT_EQ(read_text_file(out + "/one" + name), read_text_file(out + "/two" + name)) << name;
   }
   const auto again = test::run_on_ranks(2, arguments + "/two");
   EXPECT_EQ(again.code, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pairs against brute force, and what happens to springs at renewals. I-numbers: docs/theory/contact.md, section 9.
+// Pairs against brute force, and what happens to springs at renewals. I-numbers: docs/verification.md.
 #include "dem/neighbors.hpp"
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "core/random.hpp"
+#include "dem/leapfrog.hpp"
 #include "tests/support/beads.hpp"
 
 namespace packbed::dem {
@@ -38,10 +39,14 @@ std::vector<BeadStart> random_beads(int count, double speed) {
 
 using Key = std::tuple<std::int32_t, std::int32_t, Image>;
 
-std::set<Key> brute_force(const Particles& p, const Domain& domain, double skin) {
+/// `most_turns` around a periodic side: 1 where beads stand inside the box and are small against it.
+std::set<Key> brute_force(const Particles& p,
+                          const Domain& domain,
+                          double skin,
+                          int most_turns = 2) {
   std::set<Key> pairs;
   const auto turns = [&](int axis) {
-    return domain.periodic[static_cast<std::size_t>(axis)] ? 2 : 0;
+    return domain.periodic[static_cast<std::size_t>(axis)] ? most_turns : 0;
   };
   for (int a = -turns(0); a <= turns(0); ++a) {
     for (int b = -turns(1); b <= turns(1); ++b) {
@@ -81,6 +86,16 @@ TEST(FindPairs, AgreesWithBruteForceAtASizeRatioOfTen) {
   }
 }
 
+// I5 in full: 2000 beads, without and with a large skin.
+TEST(FindPairs, AgreesWithBruteForceForTwoThousandBeads) {
+  const auto domain = box(true, true, true);
+  const auto p = make_particles(random_beads(2000, 0.0), 1.0);
+  const auto touching = brute_force(p, domain, 0.0, 1);
+  EXPECT_EQ(found(p, domain, 0.0), touching);
+  EXPECT_EQ(found(p, domain, 30e-6), brute_force(p, domain, 30e-6, 1));
+  EXPECT_GT(touching.size(), 1000U);
+}
+
 // A slice between one and two diameters thick: a bead may touch two images of another.
 TEST(FindPairs, TellsImagesApartInAThinSlice) {
   Domain slice = box(false, true, false);
@@ -106,11 +121,11 @@ TEST(Renewal, NeverMissesAContact) {
     o.skin = skin;
     o.overlap_limit = 10.0;  // beads start anywhere
     Dem dem(o, random_beads(120, 5.0), {});
-    for (int look = 0; look < 100; ++look) {
-      dem.run(10);
+    for (int look = 0; look < 250; ++look) {
+      dem.run(look % 10 == 0 ? 10 : 1);
       std::set<Key> listed;
       for (const auto& c : dem.contacts().pairs()) listed.insert({c.i, c.j, c.image});
-      const auto touching = brute_force(dem.particles(), o.domain, 0.0);
+      const auto touching = brute_force(dem.particles(), o.domain, 0.0, 1);
       EXPECT_TRUE(std::ranges::includes(listed, touching));
     }
     EXPECT_GT(dem.renewals(), 3);
@@ -200,6 +215,48 @@ TEST(ContactForces, DoNotDependOnWhereBlocksBegin) {
     std::vector<Load> loads(particles.load.begin(), particles.load.begin() + 300);
     if (front == 0) expected = loads;
     EXPECT_EQ(std::memcmp(loads.data(), expected.data(), loads.size() * sizeof(Load)), 0) << front;
+  }
+}
+
+// The same on a bed that moves: 200 steps with the same list, springs and rolling springs carried along.
+TEST(ContactForces, OfAMovingBedDoNotDependOnWhereBlocksBegin) {
+  const auto domain = box(true, true, true);
+  const auto start = make_particles(random_beads(300, 0.2), 1.0);
+  const Hooke law = hooke(0.5, false);
+  const ContactModel model{.contact = law, .rolling = ElasticPlastic{0.2}, .friction = 0.3};
+  std::vector<PairContact> pairs;
+  for (const auto& key : find_pairs(start, domain, 1e-6)) {
+    pairs.push_back({key, {.a = 30.0, .b = 1e-5, .c = 0.0}, {}});
+  }
+  const auto moved = [&](int front) {
+    PairContact dummy;
+    dummy.i = 300;
+    dummy.j = 301;
+    auto shifted = pairs;
+    shifted.insert(shifted.begin(), static_cast<std::size_t>(front), dummy);
+    ContactList list(shifted, domain, 300);
+    auto particles = start;
+    constexpr double dt = 2e-9;
+    for (int n = 0; n < 200; ++n) {
+      add_contact_forces(model, list, particles, dt);
+      (void)move_beads(particles, 0, 300,
+                       {.kick = n == 0 ? 0.5 * dt : dt, .drift = dt, .damping = 0.0});
+    }
+    std::vector<Vec3> bits;
+    for (std::size_t i = 0; i < 300; ++i) {
+      bits.insert(bits.end(), {particles.motion[i].x, particles.motion[i].v, particles.spin[i].w});
+    }
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      const auto c = list.pair(k + static_cast<std::size_t>(front));
+      bits.insert(bits.end(), {c.history.spring, c.history.angle});
+    }
+    return bits;
+  };
+  const auto expected = moved(0);
+  EXPECT_GT(norm(expected[902]), 0.0);
+  for (int front = 1; front < lanes; ++front) {
+    const auto bits = moved(front);
+    EXPECT_EQ(std::memcmp(bits.data(), expected.data(), bits.size() * sizeof(Vec3)), 0) << front;
   }
 }
 

@@ -47,6 +47,26 @@ flow = "2763 cm/h"
 )";
 }
 
+TEST(CaseFigures, CountCellsOfTheMesh) {
+  const auto f = figures_of(lab_column("", ""));
+
+  ASSERT_TRUE(f.mesh.has_value());
+  EXPECT_EQ(f.mesh->counts.all(), 588 * 200);
+  EXPECT_NEAR(f.mesh->cell_height, 0.35e-3, 1e-18);
+  // sqrt(pi/4 / 588) of 9.6 mm
+  EXPECT_NEAR(f.mesh->cell_across, 9.6e-3 * std::sqrt(0.25 * std::numbers::pi / 588), 1e-18);
+}
+
+TEST(CaseFigures, HaveNoMeshWithoutALiquid) {
+  const auto f = figures_of(R"([column]
+shape = "box"
+size = ["1 m", "1 m", "1 m"]
+[resin]
+name = "SEP"
+)");
+  EXPECT_FALSE(f.mesh.has_value());
+}
+
 TEST(CaseFigures, PressureDropIsKozenyCarmanAtTheHighestFlow) {
   const auto f = figures_of(lab_column("", "porosity = 0.36\n"));
 

@@ -28,26 +28,38 @@ std::string maybe(const std::string& key, const std::string& value) {
   return *rc::gen::arbitrary<bool>() ? fmt::format("{} = {}\n", key, value) : "";
 }
 
+std::string mesh(std::initializer_list<const char*> counts) {
+  auto text = "[column.mesh]\n" + maybe("cell", quantity(0.3, 1, {"mm"})) + maybe("layers", "60");
+  for (const auto* key : counts) text += maybe(key, "7");
+  return text;
+}
+
 std::string column() {
   std::string text = "[column]\n";
+  std::string cells;
+  const auto of_rectangles = {"cells_x", "cells_y"};
   switch (*rc::gen::inRange(0, 3)) {
     case 0:
+      cells = mesh(of_rectangles);
       text += fmt::format("shape = \"slice\"\ninner_diameter = {}\nslice_depth = {}\nheight = {}\n",
                           quantity(5, 20, {"mm"}), quantity(800, 2000, {"um", "µm"}),
                           quantity(5, 8, {"cm"}));
       break;
     case 1:
+      cells = mesh({"core", "ring"});
       text += fmt::format("shape = \"cylinder\"\ninner_diameter = {}\nheight = {}\n",
                           quantity(0.5, 2, {"cm", "inch"}), quantity(50, 80, {"mm"}));
       break;
     default:
+      cells = mesh(of_rectangles);
       text += fmt::format("shape = \"box\"\nsize = [{0}, {0}, {1}]\n", quantity(2, 4, {"mm"}),
                           quantity(50, 60, {"mm"}));
-      text += maybe("boundaries", fmt::format("{{ x = \"{}\", z = \"wall\" }}",
-                                              *element("periodic", "wall", "open")));
+      text += maybe("boundaries",
+                    fmt::format("{{ x = \"{}\", z = \"wall\" }}", *element("periodic", "wall")));
   }
   return text +
-         maybe("wall", fmt::format("{{ youngs_modulus = {} }}", quantity(1, 70, {"GPa", "kbar"})));
+         maybe("wall", fmt::format("{{ youngs_modulus = {} }}", quantity(1, 70, {"GPa", "kbar"}))) +
+         (*rc::gen::arbitrary<bool>() ? cells : "");
 }
 
 std::string sizes() {
@@ -89,7 +101,7 @@ std::string flow() {
 
 std::string step(const std::string& header, int depth) {
   const auto start = fmt::format("[[{}]]\nstep = ", header);
-  switch (*rc::gen::inRange(0, depth > 1 ? 4 : 5)) {
+  switch (*rc::gen::inRange(0, depth > 1 ? 5 : 6)) {
     case 0:
       return start + fmt::format("\"run\"\nduration = {}\n", quantity(1, 900, {"ms", "s"}));
     case 1:
@@ -102,6 +114,9 @@ std::string step(const std::string& header, int depth) {
       return start + "\"compress\"\nspeed = " + quantity(1, 30, {"mm/min"}) + "\n" +
              *element<std::string>("compression = \"2.5 %\"\n", "compression_factor = 1.15\n",
                                    "height = \"20 mm\"\n", "force = \"0.5 N\"\n");
+    case 4:
+      return start + "\"tap\"\namplitude = " + quantity(1, 90, {"um"}) +
+             "\nfrequency = " + quantity(10, 90, {"Hz", "s-1"}) + "\n" + maybe("count", "3");
     default: {
       std::string text = start + "\"repeat\"\ncount = 3\n";
       const int count = *rc::gen::inRange(1, 4);
@@ -125,7 +140,7 @@ std::string random_case() {
   for (int i = 0; i < count; ++i) text += step("protocol", 0);
   text += "[numerics]\n" + maybe("step", *element<std::string>("\"auto\"", "\"1.5 us\"")) +
           maybe("inertia_scale", *element<std::string>("\"auto\"", "500", "12.5")) +
-          maybe("seed", "7") + maybe("gravity", "false") + maybe("force_step", "true") +
+          maybe("seed", "7") + maybe("force_step", "true") +
           maybe("background_damping", "\"20 ms\"");
   return text + "[output]\n" + maybe("interval", quantity(1, 50, {"ms"})) +
          maybe("beads_csv", "true");

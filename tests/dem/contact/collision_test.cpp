@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Head-on collisions against exact answers. C-numbers: docs/theory/contact.md, section 9.
+// Head-on collisions against exact answers. C-numbers: docs/verification.md.
 #include <cmath>
 #include <numbers>
 
@@ -95,50 +95,7 @@ TEST(Hooke, WithoutTensionFollowsTheClippedMap) {
   }
 }
 
-// C3: Chung and Ooi's materials; overlap (15 m* V^2 / (16 E* sqrt R*))^(2/5).
-TEST(Hertz, ReachesTheOverlapOfElasticTheory) {
-  const struct {
-    Material m;
-    double density, overlap;
-  } cases[] = {{{48e9, 0.20}, 2800, 274.1127e-6}, {{20e9, 0.25}, 2500, 368.3040e-6}};
-  for (const auto& c : cases) {
-    const std::vector<BeadStart> beads = {bead(0, {0.02, 0, 0}, {-10, 0, 0}, 0.02, c.density, c.m),
-                                          bead(1, {0, 0, 0}, {10, 0, 0}, 0.02, c.density, c.m)};
-    Dem dem(options(HertzMindlin{.restitution = 1.0}, 2.5e-7), beads, {});
-    double largest = 0.0;
-    for (int n = 0; n < 250; ++n) {
-      dem.run(1);
-      largest = std::max(largest, dem.snapshot().mean_overlap);
-    }
-    EXPECT_NEAR(largest / c.overlap, 1.0, 1e-4);
-  }
-}
-
-// C3, second half: a sphere of 0.1 m radius on a rigid plate at 0.2 m/s.
-TEST(Hertz, ReachesTheForceOfElasticTheoryOnAPlate) {
-  const struct {
-    Material m;
-    double density, overlap, force;
-  } cases[] = {{{70e9, 0.30}, 2699, 49.7172e-6, 11369.9},
-               {{40e9, 0.35}, 1800, 52.1233e-6, 7232.68}};
-  const Material rigid{.youngs_modulus = 1e30, .poisson_ratio = 0.3};
-  for (const auto& c : cases) {
-    Dem dem(options(HertzMindlin{.restitution = 1.0}, 3.5e-6),
-            {bead(0, {0, 0, 0.1}, {0, 0, -0.2}, 0.2, c.density, c.m)}, {floor_at(0, 0, rigid)});
-    double overlap = 0.0;
-    double force = 0.0;
-    for (int n = 0; n < 230; ++n) {
-      dem.run(1);
-      const auto s = dem.snapshot();
-      overlap = std::max(overlap, 0.2 * s.max_overlap_ratio);
-      force = std::max(force, s.force[0].z);
-    }
-    EXPECT_NEAR(overlap / c.overlap, 1.0, 1e-4);
-    EXPECT_NEAR(force / c.force, 1.0, 2e-4);  // 1.5 times the error of the overlap
-  }
-}
-
-// C4, C6: restitution independent of speed over four decades.
+// C6: restitution independent of speed over four decades.
 TEST(Hertz, RestitutionDoesNotDependOnSpeed) {
   for (const double e : {0.2, 0.5, 0.8}) {
     for (const double v : {1e-4, 1e-2, 1.0}) {
@@ -192,54 +149,6 @@ TEST(ViscousHooke, DampingIsThatOfTheRestitutionAtThatSpeed) {
   EXPECT_NEAR(law(1e-7, 0.0, k).gamma_t / critical, 1.0, 1e-12);
 }
 
-// C9: unequal beads, oblique: momentum to round-off, angular momentum because the arms add up.
-TEST(Collision, KeepsMomentumAndAngularMomentum) {
-  std::vector<BeadStart> beads = {bead(0, {0, 0, 0}, {0.02, 0.03, 0.01}, 120e-6),
-                                  bead(1, {95e-6, 20e-6, 10e-6}, {-0.05, 0.01, 0.02}, 80e-6)};
-  beads[0].w = {100, -300, 50};
-  Dem dem(options(hooke(0.7), 5e-9, 0.3, ElasticPlastic{0.2}), beads, {});
-  const auto sums = [&] {
-    const auto s = dem.snapshot();
-    Vec3 p;
-    Vec3 l;
-    for (std::size_t i = 0; i < 2; ++i) {
-      const double m = beads[i].properties.mass;
-      const double inertia = 0.1 * m * beads[i].properties.diameter * beads[i].properties.diameter;
-      p += m * s.v[i];
-      l += m * cross(s.x[i], s.v[i]) + inertia * s.w[i];
-    }
-    return std::pair(p, l);
-  };
-  const auto [p0, l0] = sums();
-
-  dem.run(1000);  // until they have parted; in free flight the positions' own rounding grows
-
-  const auto [p1, l1] = sums();
-  EXPECT_EQ(dem.snapshot().mean_overlap, 0.0);
-  EXPECT_LT(norm(p1 - p0) / norm(p0), 1e-12);
-  EXPECT_LT(norm(l1 - l0) / norm(l0), 1e-12);
-}
-
-// C10: the same collision boosted, and across a periodic side.
-TEST(Collision, IsTheSameInAMovingFrameAndAcrossAPeriodicSide) {
-  const auto law = hooke(0.6);
-  Dem plain(options(law, 7e-9), head_on(0.1), {});
-  auto moving = head_on(0.1);
-  for (auto& b : moving) b.v += Vec3{3, -2, 5};
-  Dem boosted(options(law, 7e-9), moving, {});
-  auto o = options(law, 7e-9);
-  o.domain = {.low = {0, 0, 0}, .size = {1e-3, 1e-3, 1e-3}, .periodic = {true, true, true}};
-  auto split = head_on(0.1);
-  for (auto& b : split) b.x += Vec3{1e-3 - 20e-6, 0.5e-3, 0.5e-3};
-  split[0].x.x -= 1e-3;
-  Dem across(o, split, {});
-
-  const double e = restitution_of(plain);
-
-  EXPECT_NEAR(restitution_of(boosted), e, 1e-9);
-  EXPECT_NEAR(restitution_of(across), e, 1e-10);
-}
-
 // A fixed bead is as heavy as a wall.
 TEST(Collision, WithAFixedBeadHasItsRestitutionToo) {
   auto beads = head_on(0.1);
@@ -247,22 +156,6 @@ TEST(Collision, WithAFixedBeadHasItsRestitutionToo) {
   beads[1].v = {};
   Dem dem(options(hooke(0.5), 2e-9), beads, {});
   EXPECT_NEAR(restitution_of(dem), 0.5, 1e-3);
-}
-
-TEST(Collision, IsMirroredBitByBitWhenBeadsChangePlaces) {
-  auto a = head_on(0.1);
-  auto b = a;
-  for (auto& bead : b) {
-    bead.x = -bead.x;
-    bead.v = -bead.v;
-  }
-  Dem first(options(hooke(0.6), 7e-9), a, {});
-  Dem second(options(hooke(0.6), 7e-9), b, {});
-  first.run(1500);
-  second.run(1500);
-  const auto s = first.snapshot();
-  const auto t = second.snapshot();
-  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(s.v[i], -t.v[i]);
 }
 
 }  // namespace

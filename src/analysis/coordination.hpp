@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// @file
+/// Contacts per bead, with and without rattlers.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dem/dem.hpp"
+
+namespace packbed::analysis {
+
+/// Two beads that touch, by their ids, each contact once; two images of a bead that touch the same bead in
+/// a thin periodic slice are two contacts. With `j` = wall_id: a bead and a wall.
+struct TouchingPair {
+  std::int64_t i = 0;
+  std::int64_t j = 0;
+};
+inline constexpr std::int64_t wall_id = -1;
+
+/// Contacts of this rank: each contact of the bed is on one rank. `Ranks::gather` brings them together.
+std::vector<TouchingPair> touching_pairs(const dem::Dem& dem);
+
+struct Coordination {
+  double mean = 0.0;                   ///< contacts with beads, per bead
+  double mean_without_rattlers = 0.0;  ///< the same of the beads that are left; 0 if none is
+  std::int64_t rattlers = 0;           ///< beads taken away
+};
+
+/// Of `beads` beads and all their contacts. A rattler has fewer than four contacts and bears no load: four
+/// hold a bead in place. Rattlers are taken away with their contacts, again and again until none is left.
+/// Contacts with walls hold a bead like others, but do not count in the means.
+Coordination coordination(std::span<const TouchingPair> pairs, std::int64_t beads);
+
+}  // namespace packbed::analysis

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/frame_writer.hpp"
+
+#include <algorithm>
+
+#include "io/frames.hpp"
+
+namespace packbed::app {
+namespace {
+
+/// Place of a bead by its id, in ascending order.
+std::size_t place_of(const std::vector<std::int64_t>& ids, std::int64_t id) {
+  return static_cast<std::size_t>(std::ranges::lower_bound(ids, id) - ids.begin());
+}
+
+std::vector<std::int32_t> contacts_per_bead(const std::vector<std::int64_t>& ids,
+                                            const std::vector<dem::ContactReport>& contacts) {
+  std::vector<std::int32_t> count(ids.size(), 0);
+  for (const auto& c : contacts) {
+    ++count[place_of(ids, c.id_i)];
+    if (c.id_j >= 0) ++count[place_of(ids, c.id_j)];
+  }
+  return count;
+}
+
+io::ContactLine line_of(const dem::ContactReport& c) {
+  // Positive where they push: along the normal on i, against the branch.
+  const double push = -dot(c.normal, c.branch);
+  return {.from = c.x,
+          .to = c.x + c.branch,
+          .id_i = c.id_i,
+          .id_j = c.id_j,
+          .normal_force = push >= 0.0 ? norm(c.normal) : -norm(c.normal),
+          .tangential_force = norm(c.tangential),
+          .overlap = c.overlap};
+}
+
+}  // namespace
+
+FrameWriter::FrameWriter(const std::filesystem::path& folder)
+    : beads_(folder, "beads"), contacts_(folder, "contacts") {
+  if (Ranks::all().is_first()) std::filesystem::create_directories(folder);
+}
+
+FrameWriter::FrameWriter(const std::filesystem::path& folder, std::size_t frames)
+    : beads_(folder, "beads"), contacts_(folder, "contacts") {
+  if (!Ranks::all().is_first()) return;
+  beads_ = io::FrameSeries::resume(folder, "beads", frames);
+  contacts_ = io::FrameSeries::resume(folder, "contacts", frames);
+}
+
+void FrameWriter::write(const dem::Dem& dem) {
+  const auto s = dem.snapshot();
+  const auto contacts = dem.touching_contacts();
+  if (!dem.ranks().is_first()) return;
+  std::vector<std::int64_t> id;
+  std::vector<double> radius;
+  for (const auto& bead : s.beads) {
+    id.push_back(bead.id);
+    radius.push_back(0.5 * bead.diameter);
+  }
+  const auto count = contacts_per_bead(id, contacts);
+  io::write_bead_frame(beads_.next(),
+                       {.time = s.time,
+                        .x = s.x,
+                        .radius = radius,
+                        .id = id,
+                        .more = {{"velocity_m_s", std::span<const Vec3>(s.v)},
+                                 {"spin_rad_s", std::span<const Vec3>(s.w)},
+                                 {"force_N", std::span<const Vec3>(s.force)},
+                                 {"contacts", std::span<const std::int32_t>(count)}}});
+  std::vector<io::ContactLine> lines;
+  lines.reserve(contacts.size());
+  for (const auto& c : contacts) lines.push_back(line_of(c));
+  io::write_contact_frame(contacts_.next(), {.time = s.time, .contacts = lines});
+  beads_.add(s.time);
+  contacts_.add(s.time);
+}
+
+}  // namespace packbed::app

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// @file
+/// Checkpoints of a run: beads, the stage that is under way, how far the outputs go, and the case that
+/// they belong to.
+
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+#include "dem/dem.hpp"
+#include "setup/case.hpp"
+
+namespace packbed::app {
+
+/// Where a run is.
+struct RunState {
+  std::int64_t stage = 0;              ///< that is under way or comes next, from 0
+  nlohmann::ordered_json stage_state;  ///< null: it has not begun
+  nlohmann::ordered_json outputs;      ///< Outputs::save()
+};
+
+/// Writes checkpoints/STEP.h5 in the run's folder and takes all but the last two away. All ranks call.
+/// Throws DataError if it cannot be written; earlier checkpoints are then left as they are.
+std::filesystem::path write_checkpoint(const setup::Case& c,
+                                       const std::filesystem::path& folder,
+                                       const dem::Dem& dem,
+                                       const RunState& state,
+                                       int keep);
+
+struct LoadedCheckpoint {
+  std::filesystem::path file;
+  dem::DemState beads;  ///< of all ranks
+  RunState state;
+};
+
+/// The last checkpoint in the run's folder. Throws ConfigError if there is none, or if it belongs to
+/// another case (naming the first key that differs) or another version of the program; DataError
+/// if it is truncated or altered.
+LoadedCheckpoint read_checkpoint(const setup::Case& c, const std::filesystem::path& folder);
+
+}  // namespace packbed::app

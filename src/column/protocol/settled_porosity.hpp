@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// @file
+/// Porosity to which a cloud of beads settles, as measured with this program: docs/theory/settling.md.
+
+namespace packbed::column {
+
+/// Porosity of the middle of a bed of CM Sepharose grains away from walls that was settled, dry, with
+/// this friction of bead on bead and this rolling friction; interpolated, and held at the ends.
+double settled_porosity(double friction, double rolling_friction);
+
+/// The friction at which a bed settles to a porosity; within [0, 1].
+double settling_friction(double porosity, double rolling_friction);
+
+}  // namespace packbed::column

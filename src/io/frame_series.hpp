@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// @file
+/// The frames of a run in their order: `beads.hdf.series`, which ParaView opens as one thing in time.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace packbed::io {
+
+/// Frames NAME_000000.hdf, NAME_000001.hdf ... of a folder and the list of them with their times,
+/// NAME.hdf.series. One process keeps it. A frame is first written to next(), then added: the list
+/// never names a file that is not whole.
+class FrameSeries {
+ public:
+  /// An empty series; a list and frames of that name that are there are left alone until they are
+  /// replaced. Nothing is written before the first add().
+  FrameSeries(std::filesystem::path folder, std::string name);
+
+  /// Goes on with a series after its first `frames` frames. Later ones are taken away, from the
+  /// list and from the folder. Throws DataError if the list is missing (and frames > 0), broken, or
+  /// shorter, if one of those frames is gone, or if the folder cannot be written.
+  static FrameSeries resume(std::filesystem::path folder, std::string name, std::size_t frames);
+
+  /// Where the next frame goes.
+  [[nodiscard]] std::filesystem::path next() const;
+  /// Puts the frame that was written to next() on the list, at this time [s], not before the last
+  /// one. The list is replaced at once. Throws DataError if it cannot be written.
+  void add(double time);
+
+  [[nodiscard]] std::size_t size() const { return times_.size(); }
+  [[nodiscard]] const std::vector<double>& times() const { return times_; }
+  [[nodiscard]] std::filesystem::path list() const;
+
+ private:
+  [[nodiscard]] std::string frame_name(std::size_t k) const;
+  void write_list() const;
+  void remove_later_frames() const;
+
+  std::filesystem::path folder_;
+  std::string name_;
+  std::vector<double> times_;
+};
+
+}  // namespace packbed::io

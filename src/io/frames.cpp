@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/frames.hpp"
+
+#include <numeric>
+
+namespace packbed::io {
+namespace {
+
+std::vector<std::int64_t> zero_to(std::size_t count) {
+  std::vector<std::int64_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), std::int64_t{0});
+  return numbers;
+}
+
+/// One member of all contacts.
+template <class T>
+std::vector<T> each(std::span<const ContactLine> contacts, T ContactLine::*member) {
+  std::vector<T> values;
+  values.reserve(contacts.size());
+  for (const auto& c : contacts) values.push_back(c.*member);
+  return values;
+}
+
+}  // namespace
+
+void write_bead_frame(const std::filesystem::path& file,
+                      const BeadFrame& frame,
+                      const FrameOptions& options) {
+  std::vector<double> diameter(frame.radius.begin(), frame.radius.end());
+  for (auto& d : diameter) d *= 2.0;
+  const auto connectivity = zero_to(frame.x.size());
+  UnstructuredGrid grid{.shape = CellShape::vertex,
+                        .points = frame.x,
+                        .connectivity = connectivity,
+                        .point_data = {{"radius_m", frame.radius},
+                                       {"diameter_m", std::span<const double>(diameter)},
+                                       {"id", frame.id}},
+                        .cell_data = {},
+                        .numbers = {{"time_s", frame.time}}};
+  grid.point_data.insert(grid.point_data.end(), frame.more.begin(), frame.more.end());
+  write_unstructured_grid(file, grid, options);
+}
+
+void write_contact_frame(const std::filesystem::path& file,
+                         const ContactFrame& frame,
+                         const FrameOptions& options) {
+  std::vector<Vec3> ends;
+  ends.reserve(2 * frame.contacts.size());
+  for (const auto& c : frame.contacts) {
+    ends.push_back(c.from);
+    ends.push_back(c.to);
+  }
+  const auto connectivity = zero_to(ends.size());
+  const auto normal = each(frame.contacts, &ContactLine::normal_force);
+  const auto tangential = each(frame.contacts, &ContactLine::tangential_force);
+  const auto overlap = each(frame.contacts, &ContactLine::overlap);
+  const auto id_i = each(frame.contacts, &ContactLine::id_i);
+  const auto id_j = each(frame.contacts, &ContactLine::id_j);
+  write_unstructured_grid(
+      file,
+      {.shape = CellShape::line,
+       .points = ends,
+       .connectivity = connectivity,
+       .point_data = {},
+       .cell_data = {{"normal_force_N", std::span<const double>(normal)},
+                     {"tangential_force_N", std::span<const double>(tangential)},
+                     {"overlap_m", std::span<const double>(overlap)},
+                     {"id_i", std::span<const std::int64_t>(id_i)},
+                     {"id_j", std::span<const std::int64_t>(id_j)}},
+       .numbers = {{"time_s", frame.time}}},
+      options);
+}
+
+}  // namespace packbed::io

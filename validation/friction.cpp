@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// P3: 2000 spheres of one size and any friction in a periodic box, at random places with the diameter
+// of a solid fraction of 0.66, pushed apart to rest and shrunk to no pressure. With friction the
+// number of contacts falls from 2 d = 6 to d + 1 = 4 and the solid fraction from random close to
+// random loose packing, 0.55, over several decades. Reference: Silbert, Soft Matter 6 (2010) 2918
+// (arXiv 1108.0012), abstract: packings are brought to the edge by decreasing the solid fraction.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "validation/support/edge.hpp"
+
+namespace packbed::validation {
+namespace {
+
+constexpr int count = 2000;
+constexpr double start = 0.66;  // solid fraction, well above the edge
+constexpr std::array frictions = {0.0, 0.01, 0.03, 0.1, 0.3, 1.0, 10.0};
+constexpr std::array seeds = {1, 2};
+
+Table path(double friction, std::uint64_t seed) {
+  const int least_contacts = friction > 0.0 ? 2 : 4;  // friction can hold a bead between two others
+  const dem::ContactModel model{
+      .contact = test::hooke(0.5, false), .rolling = dem::NoRolling{}, .friction = friction};
+  test::SphereBox box(model, count, start, seed, least_contacts);
+  box.set_least_damping(0.3);  // a slip that gains speed would shake the packing loose
+  return path_to_edge(box, {.exponent = 1.0, .at_rest = 1e-5, .least_excess = 2e-5, .step = 0.1});
+}
+
+std::string piece_name(double friction, int seed) { return fmt::format("mu{}-{}", friction, seed); }
+
+/// Mean over the seeds; the coordination at the edge by a fit over the last excesses.
+struct Edge {
+  double solid_fraction, coordination;
+};
+Edge edge_at(const Results& results, double friction) {
+  std::vector<double> fractions;
+  std::vector<double> z;
+  for (const int seed : seeds) {
+    const auto f = edge_figures(results.at(piece_name(friction, seed)), 1.0, 0.0, 2e-3);
+    fractions.push_back(f.solid_fraction);
+    z.push_back(f.coordination);
+  }
+  return {mean(fractions), mean(z)};
+}
+
+std::vector<Check> judge(const Results& results) {
+  std::vector<Edge> edges;
+  for (const double mu : frictions) edges.push_back(edge_at(results, mu));
+  const auto& none = edges.front();
+  const auto& most = edges.back();
+  std::vector<Check> checks = {
+      {"mu = 0: coordination", none.coordination, 5.9, 6.1, "2 d, 6 +- 0.1"},
+      {"mu = 10: coordination", most.coordination, 3.9, 4.1, "d + 1, 4 +- 0.1"},
+      {"mu = 0: solid fraction", none.solid_fraction, 0.63, 0.65, "random close, 0.64 +- 0.01"},
+      {"mu = 10: solid fraction", most.solid_fraction, 0.54, 0.56, "random loose, 0.55 +- 0.01"}};
+  for (std::size_t k = 1; k < edges.size(); ++k) {
+    const auto step = fmt::format("mu {} to {}: change of ", frictions[k - 1], frictions[k]);
+    checks.push_back({step + "coordination", edges[k].coordination - edges[k - 1].coordination,
+                      -2.1, 0.0, "falls"});
+    checks.push_back({step + "solid fraction",
+                      edges[k].solid_fraction - edges[k - 1].solid_fraction, -0.1, 0.0, "falls"});
+  }
+  return checks;
+}
+
+}  // namespace
+}  // namespace packbed::validation
+
+int main(int argc, char** argv) {
+  using namespace packbed::validation;  // NOLINT
+  Validation v;
+  for (const double mu : frictions) {
+    for (const int seed : seeds) {
+      v.pieces.push_back({piece_name(mu, seed),
+                          [mu, seed] { return path(mu, static_cast<std::uint64_t>(seed)); }});
+    }
+  }
+  v.judge = judge;
+  return validation_main(argc, argv, v);
+}
