@@ -130,6 +130,9 @@ int dispatch(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return report(fmt::format("{}; `packbed --help` lists commands and options", error.what()),
                   ExitCode::input);
+  } catch (const Stopped& stopped) {  // on all ranks at the same step
+    if (Ranks::all().is_first()) fmt::print(stderr, "packbed: {}\n", stopped.what());
+    return static_cast<int>(stopped.exit_code());
   } catch (const Error& error) {
     return report(error.what(), error.exit_code());
   } catch (const std::bad_alloc&) {
