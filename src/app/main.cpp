@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "app/commands.hpp"
+#include "core/aligned.hpp"
 #include "core/error.hpp"
 #include "core/ranks.hpp"
 #include "core/text.hpp"
@@ -94,6 +95,7 @@ void check_command(const CLI::App& app, const std::string& word) {
 }
 
 int dispatch(int argc, char** argv) {
+  return_freed_memory();
   const MpiSession session;
   CLI::App app("packbed simulates packed chromatography columns bead by bead.");
   app.set_version_flag("--version", fmt::format("packbed {}", version));
@@ -128,6 +130,9 @@ int dispatch(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return report(fmt::format("{}; `packbed --help` lists commands and options", error.what()),
                   ExitCode::input);
+  } catch (const Stopped& stopped) {  // on all ranks at the same step
+    if (Ranks::all().is_first()) fmt::print(stderr, "packbed: {}\n", stopped.what());
+    return static_cast<int>(stopped.exit_code());
   } catch (const Error& error) {
     return report(error.what(), error.exit_code());
   } catch (const std::bad_alloc&) {

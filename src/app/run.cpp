@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
@@ -20,6 +21,7 @@ namespace packbed::app {
 namespace {
 
 void add_results(nlohmann::ordered_json& summary, const RunSummary& r) {
+  const auto& f = r.figures;
   summary["simulated_time_s"] = r.simulated_time;
   summary["bead_steps"] = r.steps;
   summary["bead_step_s"] = r.step;
@@ -27,40 +29,59 @@ void add_results(nlohmann::ordered_json& summary, const RunSummary& r) {
   summary["inertia_scale"] = r.inertia_scale;
   summary["ranks"] = Ranks::all().size();
   summary["renewals"] = r.renewals;
-  summary["kinetic_to_elastic"] = r.figures.kinetic_to_elastic;
-  summary["unbalanced_force"] = r.figures.unbalanced_force;
-  summary["max_overlap_ratio"] = r.figures.max_overlap_ratio;
-  summary["coordination_number"] = r.figures.coordination_number;
+  summary["kinetic_to_elastic"] = f.kinetic_to_elastic;
+  summary["unbalanced_force"] = f.unbalanced_force;
+  summary["max_overlap_ratio"] = f.max_overlap_ratio;
+  summary["coordination_number"] = f.coordination_number;
+  if (f.bed.height > 0.0) {
+    summary["bed_height_m"] = f.bed.height;
+    summary["mean_porosity"] = f.bed.mean_porosity;
+    summary["middle_porosity"] = f.bed.middle_porosity;
+    summary["budget_error"] = f.budget_error;
+  }
+  if (f.settled_height > 0.0) {
+    summary["settled_height_m"] = f.settled_height;
+    summary["settled_porosity"] = f.settled_porosity;
+  }
+  summary["warnings"] = r.warnings;
   summary["wall_time_s"] = r.wall_time;
 }
 
-void report(const setup::Case& c,
-            const setup::CaseFigures& f,
-            const std::filesystem::path& folder,
-            bool carried_out,
-            int ranks_asked) {
-  fmt::print("{}: {:.0f} grains, {} protocol step{}\n", c.title, f.bead_count, c.protocol.size(),
-             c.protocol.size() == 1 ? "" : "s");
-  if (carried_out) {
-    if (c.protocol.empty()) fmt::print("The protocol has no steps: the start was written.\n");
-    fmt::print("Written: {0}/series.csv, {0}/summary.json, {0}/case.toml, {0}/run.log{1}\n",
-               folder.string(),
-               c.output.beads_csv ? fmt::format(", {}/frames", folder.string()) : "");
-    return;
+void tell_results(const RunSummary& r) {
+  const auto& f = r.figures;
+  if (f.bed.height > 0.0) {
+    fmt::print(
+        "Bed of {} grains: {:.3f} mm high, porosity {:.4f} (middle half), {:.2f} contacts per "
+        "grain, unbalanced / contact force {:.1e}\n",
+        r.beads, 1e3 * f.bed.height, f.bed.middle_porosity, f.coordination_number,
+        f.unbalanced_force);
   }
-  if (ranks_asked > 1)
+  for (const auto& warning : r.warnings) fmt::print("Warning: {}\n", warning);
+  fmt::print("{:.4g} s simulated in {} steps, {:.3g} s of wall time\n", r.simulated_time, r.steps,
+             r.wall_time);
+}
+
+void tell_files(const setup::Case& c, const std::filesystem::path& folder) {
+  std::string files = "series.csv";
+  for (const auto* name : {"sections.csv", "profiles", "frames"}) {
+    if (std::filesystem::exists(folder / name)) files += fmt::format(", {}", name);
+  }
+  if (c.protocol.empty()) fmt::print("The protocol has no steps: the start was written.\n");
+  fmt::print("Written in {}: {}, checkpoints, summary.json, case.toml, run.log\n", folder.string(),
+             files);
+}
+
+void tell_prepared(const setup::Case& c, const std::filesystem::path& folder, int ranks_asked) {
+  if (ranks_asked > 1) {
     fmt::print("-n {} has no effect on a case that is only prepared.\n", ranks_asked);
+  }
   fmt::print(
-      "NOT SIMULATED: packbed {} carries out the step \"run\" with beads from a file ([beads] "
-      "csv). "
-      "Settling, flow and the plunger are not there yet, so none of the {} steps was carried out.\n"
+      "NOT SIMULATED: packbed {} carries out the steps \"settle\", \"tap\" and \"run\". Flow and "
+      "the "
+      "plunger are not there yet, so none of the {} steps was carried out.\n"
       "Written: {}/case.toml (every value filled in), {}/summary.json\n",
       version, c.protocol.size(), folder.string(), folder.string());
 }
-
-}  // namespace
-
-namespace {
 
 /// Whether results of a run that ended are there.
 bool has_ended(const std::filesystem::path& folder) {
@@ -93,20 +114,31 @@ int run(const RunCommand& command) {
   if (carried_out && !MpiSession::is_started()) {
     const int ranks = command.ranks > 0 ? command.ranks : useful_ranks(f.bead_count);
     if (ranks > 1) {
-      prepare_folder(command, c, folder);
+      {
+        std::optional<FolderLock> lock;  // until the ranks take it
+        if (std::filesystem::is_directory(folder)) lock.emplace(folder);
+        prepare_folder(command, c, folder);
+      }
       return run_on_ranks(ranks, command);
     }
   }
   const bool writes = Ranks::all().is_first();
+  std::optional<FolderLock> lock;
   if (writes) {
+    if (std::filesystem::is_directory(folder)) lock.emplace(folder);
     prepare_folder(command, c, folder);
+    if (!lock) lock.emplace(folder);
     if (!command.resume) write_text_file(folder / "case.toml", setup::check_text(c, f));
   }
   nlohmann::ordered_json summary{{"program", "packbed"},
                                  {"version", version},
                                  {"case", std::filesystem::absolute(c.file).string()},
                                  {"title", c.title}};
-  if (carried_out) add_results(summary, simulate(c, folder, command.resume));
+  RunSummary results;
+  if (carried_out) {
+    results = simulate(c, folder, command.resume);
+    add_results(summary, results);
+  }
   if (!writes) return 0;
   summary["steps_carried_out"] = carried_out ? c.protocol.size() : 0;
   summary["steps_in_case"] = c.protocol.size();
@@ -114,8 +146,15 @@ int run(const RunCommand& command) {
   write_text_file(folder / "summary.json", json_text(summary));
   if (command.json) {
     fmt::print("{}", json_text(summary));
+    return 0;
+  }
+  fmt::print("{}: {:.0f} grains, {} protocol step{}\n", c.title, f.bead_count, c.protocol.size(),
+             c.protocol.size() == 1 ? "" : "s");
+  if (carried_out) {
+    tell_results(results);
+    tell_files(c, folder);
   } else {
-    report(c, f, folder, carried_out, command.ranks);
+    tell_prepared(c, folder, command.ranks);
   }
   return 0;
 }

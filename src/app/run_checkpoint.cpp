@@ -75,12 +75,10 @@ fs::path write_checkpoint(const setup::Case& c,
                           int keep) {
   const auto place = folder_of_checkpoints(folder);
   io::CheckpointWriter writer(place, dem.steps(), dem.ranks());
-  const Json run = {{"version", version},
-                    {"case", identity_of(c)},
-                    {"stage", state.stage},
-                    {"stage_state", state.stage_state},
-                    {"outputs", state.outputs}};
-  writer.text("run", run.dump());
+  const Json run = {{"version", version},       {"case", identity_of(c)},
+                    {"stage", state.stage},     {"stage_state", state.stage_state},
+                    {"outputs", state.outputs}, {"warnings", state.warnings}};
+  writer.text("run", run.dump(-1, ' ', false, Json::error_handler_t::replace));
   io::write_dem_state(writer, dem.state());
   const auto file = writer.commit();
   if (dem.ranks().is_first()) io::prune_checkpoints(place, static_cast<std::size_t>(keep));
@@ -101,7 +99,8 @@ LoadedCheckpoint read_checkpoint(const setup::Case& c, const fs::path& folder) {
           .beads = io::read_dem_state(reader, setup::make_walls(c)),
           .state = {.stage = run.at("stage"),
                     .stage_state = run.at("stage_state"),
-                    .outputs = run.at("outputs")}};
+                    .outputs = run.at("outputs"),
+                    .warnings = run.at("warnings").get<std::vector<std::string>>()}};
 }
 
 }  // namespace packbed::app

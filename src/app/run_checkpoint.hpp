@@ -6,6 +6,8 @@
 /// they belong to.
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -19,6 +21,7 @@ struct RunState {
   std::int64_t stage = 0;              ///< that is under way or comes next, from 0
   nlohmann::ordered_json stage_state;  ///< null: it has not begun
   nlohmann::ordered_json outputs;      ///< Outputs::save()
+  std::vector<std::string> warnings;   ///< so far
 };
 
 /// Writes checkpoints/STEP.h5 in the run's folder and takes all but the last two away. All ranks call.

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/run_folder.hpp"
 
+#include <algorithm>
+#include <cerrno>
+#include <string_view>
+
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include "core/error.hpp"
 
@@ -10,20 +17,46 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_frame(const fs::path& file) {
-  const auto name = file.filename().string();
-  return name.starts_with("beads_") && (name.ends_with(".csv") || name.ends_with(".csv.part"));
+/// Names of files that a run writes, as a beginning and an end.
+struct Pattern {
+  const char* folder;  ///< below that of the run
+  std::string_view begin;
+  std::string_view end;
+};
+
+constexpr Pattern patterns[] = {{"", "summary.json", ""},
+                                {"", "series.csv", ""},
+                                {"", "sections.csv", ""},
+                                {"", "case.toml", ""},
+                                {"", "run.log", ""},
+                                {"frames", "beads_", ".csv"},
+                                {"frames", "beads_", ".hdf"},
+                                {"frames", "contacts_", ".hdf"},
+                                {"frames", "beads", ".series"},
+                                {"frames", "contacts", ".series"},
+                                {"profiles", "x_", ".csv"},
+                                {"profiles", "y_", ".csv"},
+                                {"profiles", "z_", ".csv"},
+                                {"profiles", "wall_distance_", ".csv"},
+                                {"checkpoints", "checkpoint_", ".h5"}};
+
+bool matches(std::string name, const Pattern& pattern) {
+  if (name.ends_with(".part")) name.resize(name.size() - 5);
+  return pattern.end.empty() ? name == pattern.begin
+                             : name.starts_with(pattern.begin) && name.ends_with(pattern.end);
 }
 
 /// What runs have written in `folder`: nothing of it may stand beside what the next one writes.
 std::vector<fs::path> results_in(const fs::path& folder) {
   std::vector<fs::path> results;
   std::error_code none;
-  for (const auto* name : {"summary.json", "series.csv", "case.toml", "run.log"}) {
-    if (fs::exists(folder / name, none)) results.push_back(folder / name);
-  }
-  for (const auto& entry : fs::directory_iterator(folder / "frames", none)) {
-    if (is_frame(entry.path())) results.push_back(entry.path());
+  for (const auto* below : {"", "frames", "profiles", "checkpoints"}) {
+    for (const auto& entry : fs::directory_iterator(folder / below, none)) {
+      const auto is_ours = [&](const Pattern& p) {
+        return std::string_view(p.folder) == below && matches(entry.path().filename().string(), p);
+      };
+      if (std::ranges::any_of(patterns, is_ours)) results.push_back(entry.path());
+    }
   }
   return results;
 }
@@ -57,6 +90,23 @@ void make_run_folder(const fs::path& folder, bool overwrite, const std::vector<f
     throw DataError(
         fmt::format("{}: the folder cannot be made ({})", folder.string(), failed.message()));
   }
+}
+
+FolderLock::FolderLock(const fs::path& folder)
+    : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (descriptor_ < 0 || flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
+  const bool is_taken = errno == EWOULDBLOCK;
+  close(descriptor_);
+  descriptor_ = -1;
+  if (!is_taken) return;  // a file system without locks
+  throw ConfigError(
+      fmt::format("{}: another run is writing there; wait until it has ended, or take another "
+                  "folder with -o DIR",
+                  folder.string()));
+}
+
+FolderLock::~FolderLock() {
+  if (descriptor_ >= 0) close(descriptor_);
 }
 
 }  // namespace packbed::app

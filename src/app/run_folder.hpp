@@ -13,4 +13,19 @@ void make_run_folder(const std::filesystem::path& folder,
                      bool overwrite,
                      const std::vector<std::filesystem::path>& inputs);
 
+/// Keeps other runs out of a folder that exists for as long as it lives, also if this process is killed.
+/// Throws ConfigError if there is one.
+class FolderLock {
+ public:
+  explicit FolderLock(const std::filesystem::path& folder);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+  FolderLock(FolderLock&&) = delete;
+  FolderLock& operator=(FolderLock&&) = delete;
+
+ private:
+  int descriptor_;
+};
+
 }  // namespace packbed::app

@@ -13,6 +13,7 @@
 #include "app/stop_signal.hpp"
 #include "core/error.hpp"
 #include "core/version.hpp"
+#include "dem/inertia_scale.hpp"
 #include "setup/make_dem.hpp"
 
 namespace packbed::app {
@@ -63,6 +64,7 @@ class Simulation {
             .inertia_scale = dem_->options().inertia_scale,
             .beads = dem_->bead_count(),
             .figures = outputs_->figures(),
+            .warnings = now_.warnings,
             .wall_time = seconds_since(start_)};
   }
 
@@ -71,8 +73,9 @@ class Simulation {
     log_.line(fmt::format("packbed {}, case {}", version, c_.file.string()));
     dem_.emplace(setup::make_dem(c_, choice_.step, Ranks::all()));
     log_.line(fmt::format("{} beads on {} ranks", dem_->bead_count(), Ranks::all().size()));
-    log_.line(fmt::format("inertia scale {}{}", c_.numerics.inertia_scale.value_or(1.0),
-                          c_.numerics.inertia_scale ? "" : " (auto: beads move freely)"));
+    log_.line(c_.numerics.inertia_scale
+                  ? fmt::format("inertia scale {} (given)", *c_.numerics.inertia_scale)
+                  : fmt::format("inertia scale 1 (auto): {}", dem::free_inertia_scale().reason));
     log_.line(fmt::format(
         "time step {:.6g} s ({}); shortest contact {:.6g} s; stable in a bed up to about {:.6g} s",
         choice_.step, c_.numerics.step ? "given" : "recommended", choice_.contact_time,
@@ -113,8 +116,20 @@ class Simulation {
     if (stage->name() == "settle") outputs_->set_settled(*dem_);
     outputs_->stage_end(*dem_, now_.stage + 1);
     log_.line(fmt::format("stage {}: {}, {}", now_.stage + 1, stage->name(), stage->result(*dem_)));
+    judge_inertia(stage->name());
     now_.stage_state = nullptr;
     checkpoint(now_.stage + 1);
+  }
+
+  // Whether the beads still move as if their inertia did not count.
+  void judge_inertia(std::string_view stage) {
+    const double scale = dem_->options().inertia_scale;
+    if (scale <= 1.0) return;
+    const auto warning = dem::inertia_warning(fmt::format("stage {} ({})", now_.stage + 1, stage),
+                                              scale, dem_->snapshot());
+    if (!warning) return;
+    log_.line("warning: " + *warning);
+    now_.warnings.push_back(*warning);
   }
 
   void show_progress(const column::Stage& stage) {

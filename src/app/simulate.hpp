@@ -5,6 +5,8 @@
 /// Carries out the protocol of a case, stage by stage, and writes its results.
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "app/outputs.hpp"
 #include "setup/case.hpp"
@@ -20,6 +22,7 @@ struct RunSummary {
   double inertia_scale = 1.0;  ///< the last one
   std::int64_t beads = 0;      ///< at the end
   RowFigures figures;
+  std::vector<std::string> warnings;
   double wall_time = 0.0;  ///< of this process [s]
 };
 

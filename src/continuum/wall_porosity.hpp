@@ -18,12 +18,12 @@ namespace packbed::continuum {
 /// For D > 2 d and 0 <= y <= D/2. Bey and Eigenberger 1997, thesis eqs 3.45-3.48 and fig. 3.7, with the
 /// constants given there.
 struct BeyEigenberger {
-  double column_diameter;     ///< D [m]
-  double bead_diameter;       ///< d [m]
-  double eps_min = 0.24;      ///< at y_min
-  double eps_bulk = 0.39;     ///< far from the wall
-  double damping = 4.0;       ///< a
-  double wavelength = 0.876;  ///< b: half a wave, in y_min
+  double column_diameter = 0.0;  ///< D [m]
+  double bead_diameter = 0.0;    ///< d [m]
+  double eps_min = 0.24;         ///< at y_min
+  double eps_bulk = 0.39;        ///< far from the wall
+  double damping = 4.0;          ///< a
+  double wavelength = 0.876;     ///< b: half a wave, in y_min
 
   [[nodiscard]] double y_min() const {
     const double ratio = column_diameter / bead_diameter;

@@ -48,6 +48,16 @@ PairContact ContactList::pair(std::size_t k) const {
   return p;
 }
 
+ContactList ContactList::part(std::size_t first, std::size_t last) const {
+  ContactList list;
+  list.box_ = box_;
+  list.dummy_ = dummy_;
+  list.size_ = std::min(last * lanes, size_) - std::min(first * lanes, size_);
+  list.blocks.assign(blocks.begin() + static_cast<std::ptrdiff_t>(first),
+                     blocks.begin() + static_cast<std::ptrdiff_t>(last));
+  return list;
+}
+
 std::vector<PairContact> ContactList::pairs() const {
   std::vector<PairContact> all;
   all.reserve(size_);

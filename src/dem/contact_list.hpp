@@ -76,6 +76,9 @@ class ContactList {
     put(blocks[k / lanes].coefficient, static_cast<int>(k % lanes), {c.a, c.b, c.c});
   }
 
+  /// The blocks [first, last) as a list of their own.
+  [[nodiscard]] ContactList part(std::size_t first, std::size_t last) const;
+
   /// Room for `count` pairs, so that blocks are not moved while they come.
   void reserve(std::size_t count) { blocks.reserve((count + lanes - 1) / lanes); }
 

@@ -111,10 +111,10 @@ Vec3 Dem::move_own(std::size_t first, std::size_t last, const Leapfrog& step) {
   if (ranks_.size() == 1) return move_beads(particles_, first, last, step);
   Vec3 largest;
   std::size_t done = first;
-  for (const auto& run : own_runs_) {
-    const std::size_t from = std::max(run.first, first);
-    const std::size_t to = std::min(run.last, last);
-    if (from >= to) continue;
+  auto run = std::ranges::upper_bound(own_runs_, first, {}, &Run::last);
+  for (; run != own_runs_.end() && run->first < last; ++run) {
+    const std::size_t from = std::max(run->first, first);
+    const std::size_t to = std::min(run->last, last);
     std::fill(particles_.load.begin() + static_cast<std::ptrdiff_t>(done),
               particles_.load.begin() + static_cast<std::ptrdiff_t>(from), Load{});
     const Vec3 far = move_beads(particles_, from, to, step);

@@ -44,19 +44,21 @@ struct DemOptions {
 /// What a look at the beds costs, so it is taken when asked for: forces at the present positions,
 /// velocities at the present time.
 struct Snapshot {
-  double time;                      ///< [s]
-  std::vector<Vec3> x, v, w;        ///< one per bead, in the order of ids
-  std::vector<Vec3> force, torque;  ///< of contacts and walls, without weight
+  double time;                        ///< [s]
+  std::vector<Vec3> x, v, w;          ///< one per bead, in the order of ids
+  std::vector<Vec3> force, torque;    ///< of contacts and walls, without weight
   std::vector<BeadProperties> beads;  ///< likewise
   std::vector<Vec3> wall_force;       ///< on each wall [N]
-  double kinetic_energy;            ///< with the masses that move [J]
-  double elastic_energy;            ///< of normal and tangential springs [J]
-  double mean_contact_force;        ///< of touching pairs and wall contacts [N]
-  double mean_unbalanced_force;     ///< of beads that are free, weight included [N]
-  double mean_overlap;              ///< of touching pairs of beads [m]
-  double max_overlap_ratio;         ///< overlap / smaller diameter
-  double coordination_number;       ///< touching pairs of beads, two per pair, per bead
+  double kinetic_energy;              ///< with the masses that move [J]
+  double elastic_energy;              ///< of normal and tangential springs [J]
+  double mean_contact_force;          ///< of touching pairs and wall contacts [N]
+  double mean_unbalanced_force;       ///< of beads that are free, weight included [N]
+  double mean_overlap;                ///< of touching pairs of beads [m]
+  double max_overlap_ratio;           ///< overlap / smaller diameter
+  double coordination_number;         ///< touching pairs of beads, two per pair, per bead
 };
+
+struct ContactTerms;  // of a snapshot
 
 class Dem {
  public:
@@ -155,10 +157,13 @@ class Dem {
   void add_forces_of_walls();
   void add_contact_forces_and_move(const Leapfrog& step);
   [[nodiscard]] Vec3 move_own(std::size_t first, std::size_t last, const Leapfrog& step);
-  void add_forces_here(Particles& p,
-                       ContactList& contacts,
-                       std::vector<WallContacts>& near,
-                       std::vector<Vec3>& wall_force) const;
+  void add_wall_forces_here(Particles& p,
+                            std::vector<WallContacts>& near,
+                            std::vector<Vec3>& wall_force) const;
+  [[nodiscard]] ContactTerms add_pair_forces_here(Particles& p) const;
+  void sum_contacts(ContactTerms& terms,
+                    const std::vector<WallContacts>& wall_contacts,
+                    Snapshot& s) const;
   void move_walls(double drift);
   [[nodiscard]] double overlap(const PairKey& p) const;
 

@@ -79,7 +79,8 @@ std::vector<NamedBead> halo(const Particles& own,
 /// Adds them before the dummies.
 void add(Particles& particles, const std::vector<NamedBead>& beads);
 
-/// Runs of own beads in the order of beads, as first and last + 1: one, but for beads that escaped.
+/// Runs of own beads in the order of beads, as first and last + 1. By rows there is one, but for beads that
+/// escaped; by cells of a mesh there are many.
 struct Run {
   std::size_t first = 0;
   std::size_t last = 0;

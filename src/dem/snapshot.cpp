@@ -2,19 +2,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "core/exact_sum.hpp"
 #include "dem/dem.hpp"
 
 namespace packbed::dem {
-namespace {
-
-/// What a bead tells of itself.
-struct Row {
-  BeadProperties bead;
-  Vec3 x, v, w, force, torque;
-};
 
 /// One term per touching contact, for sums that must not depend on the order.
 struct ContactTerms {
@@ -40,7 +34,41 @@ struct ContactTerms {
   }
 };
 
-double mean(const std::vector<double>& terms, const Ranks& ranks) {
+namespace {
+
+/// What a bead tells of itself.
+struct Row {
+  BeadProperties bead;
+  Vec3 x, v, w, force, torque;
+};
+
+void add(const Row& row, Snapshot& s) {
+  s.beads.push_back(row.bead);
+  s.x.push_back(row.x);
+  s.v.push_back(row.v);
+  s.w.push_back(row.w);
+  s.force.push_back(row.force);
+  s.torque.push_back(row.torque);
+}
+
+void reserve(std::size_t beads, Snapshot& s) {
+  s.beads.reserve(beads);
+  for (auto* a : {&s.x, &s.v, &s.w, &s.force, &s.torque}) a->reserve(beads);
+}
+
+/// Places of the own beads in the order of ids.
+std::vector<std::int32_t> own_by_id(const Particles& particles) {
+  std::vector<std::int32_t> own;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (particles.is_own(i)) own.push_back(static_cast<std::int32_t>(i));
+  }
+  std::ranges::sort(own, {}, [&](std::int32_t i) {
+    return particles.properties[static_cast<std::size_t>(i)].id;
+  });
+  return own;
+}
+
+double mean(std::span<const double> terms, const Ranks& ranks) {
   std::array<std::int64_t, 1> count = {static_cast<std::int64_t>(terms.size())};
   ranks.sum(count);
   const double sum = order_independent_sum(terms, ranks);
@@ -49,101 +77,121 @@ double mean(const std::vector<double>& terms, const Ranks& ranks) {
 
 }  // namespace
 
-// Forces of walls and pairs on the beads of a copy, in the order of a step; the sums on each wall are
-// those of all ranks.
-void Dem::add_forces_here(Particles& p,
-                          ContactList& contacts,
-                          std::vector<WallContacts>& near,
-                          std::vector<Vec3>& wall_force) const {
-  std::vector<Load> so_far(p.size());
+// Forces of the walls on the beads of a copy, in the order of a step; the sums on each wall are those of
+// all ranks.
+void Dem::add_wall_forces_here(Particles& p,
+                               std::vector<WallContacts>& near,
+                               std::vector<Vec3>& wall_force) const {
   for (std::size_t w = 0; w < walls_.size(); ++w) {
-    for (std::size_t i = 0; i < p.size(); ++i) p.load[i] = {};
+    std::vector<Load> so_far;
+    for (const auto& c : near[w]) {
+      so_far.push_back(std::exchange(p.load[static_cast<std::size_t>(c.bead)], Load{}));
+    }
     add_wall_forces(options_.model, walls_[w], near[w], p, spring_step());
     std::array<std::vector<double>, 3> terms;
-    for (const auto& c : near[w]) {
-      const auto i = static_cast<std::size_t>(c.bead);
-      const Vec3 force = -p.load[i].force;
-      terms[0].push_back(force.x);
-      terms[1].push_back(force.y);
-      terms[2].push_back(force.z);
-      so_far[i].force += p.load[i].force;
-      so_far[i].torque += p.load[i].torque;
+    for (std::size_t k = 0; k < near[w].size(); ++k) {
+      Load& load = p.load[static_cast<std::size_t>(near[w][k].bead)];
+      terms[0].push_back(-load.force.x);
+      terms[1].push_back(-load.force.y);
+      terms[2].push_back(-load.force.z);
+      load.force = so_far[k].force + load.force;
+      load.torque = so_far[k].torque + load.torque;
     }
     wall_force.push_back({order_independent_sum(terms[0], ranks_),
                           order_independent_sum(terms[1], ranks_),
                           order_independent_sum(terms[2], ranks_)});
   }
-  std::ranges::copy(so_far, p.load.begin());
-  add_contact_forces(options_.model, contacts, p, spring_step());
+}
+
+// Forces of the pairs on the beads of a copy. Contacts are copied in portions: a look must not take as much
+// memory as the run.
+ContactTerms Dem::add_pair_forces_here(Particles& p) const {
+  constexpr std::size_t portion = 256;
+  ContactTerms terms;
+  const std::size_t blocks = contacts_.blocks.size();
+  for (std::size_t first = 0; first < blocks; first += portion) {
+    auto part = contacts_.part(first, std::min(first + portion, blocks));
+    add_contact_forces(options_.model, part, p, spring_step());
+    for (std::size_t k = 0; k < part.size(); ++k) {
+      const auto c = part.pair(k);
+      const auto i = static_cast<std::size_t>(c.i);
+      const auto j = static_cast<std::size_t>(c.j);
+      if (!particles_.is_own(i)) continue;  // it counts on the rank of its first bead
+      terms.add(options_.model.contact, overlap(c),
+                2.0 * std::min(particles_.radius(i), particles_.radius(j)), c.coefficients,
+                c.history);
+    }
+  }
+  return terms;
 }
 
 // The springs of a copy are moved on to the present time, as the next step would do, so that
 // forces are those at the present positions; velocities are taken half a step further.
 Snapshot Dem::snapshot() const {
-  Particles p = particles_;
-  ContactList contacts = contacts_;
-  auto wall_contacts = wall_contacts_;
   Snapshot s{};
   s.time = time();
-  add_forces_here(p, contacts, wall_contacts, s.wall_force);
+  Particles p;
+  p.motion = particles_.motion;
+  p.spin = particles_.spin;
+  p.load.resize(p.motion.size());
+  auto wall_contacts = wall_contacts_;
+  add_wall_forces_here(p, wall_contacts, s.wall_force);
+  auto terms = add_pair_forces_here(p);
+  sum_contacts(terms, wall_contacts, s);
 
-  std::vector<Row> rows;
   std::vector<double> kinetic;
   std::vector<double> unbalanced;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    if (!p.is_own(i)) continue;
+  const auto row_of = [&](std::size_t i) {
     const auto& m = p.motion[i];
-    const Vec3 weight{0.0, 0.0, -p.properties[i].weight};
+    const auto& bead = particles_.properties[i];
+    const Vec3 weight{0.0, 0.0, -bead.weight};
     const bool free = m.inv_mass > 0.0;
     const double keep = free ? 1.0 - 0.5 * last_step_ * options_.background_damping : 1.0;
     const Vec3 v = keep * m.v + (0.5 * last_step_ * m.inv_mass) * (p.load[i].force + weight);
     const Vec3 w = keep * p.spin[i].w + (0.5 * last_step_ * m.inv_inertia) * p.load[i].torque;
-    rows.push_back({p.properties[i], m.x, v, w, p.load[i].force, p.load[i].torque});
-    if (!free) continue;
-    kinetic.push_back(0.5 * dot(v, v) / m.inv_mass + 0.5 * dot(w, w) / m.inv_inertia);
-    unbalanced.push_back(norm(p.load[i].force + weight));
+    if (free) {
+      kinetic.push_back(0.5 * dot(v, v) / m.inv_mass + 0.5 * dot(w, w) / m.inv_inertia);
+      unbalanced.push_back(norm(p.load[i].force + weight));
+    }
+    return Row{bead, m.x, v, w, p.load[i].force, p.load[i].torque};
+  };
+  const auto own = own_by_id(particles_);
+  if (ranks_.is_first()) reserve(static_cast<std::size_t>(bead_count_), s);
+  if (ranks_.size() == 1) {
+    for (const auto i : own) add(row_of(static_cast<std::size_t>(i)), s);
+  } else {
+    std::vector<Row> rows;
+    for (const auto i : own) rows.push_back(row_of(static_cast<std::size_t>(i)));
+    rows = ranks_.gather(std::move(rows));
+    std::ranges::sort(rows, {}, [](const Row& row) { return row.bead.id; });
+    for (const auto& row : rows) add(row, s);
   }
-  rows = ranks_.gather(std::move(rows));
-  std::ranges::sort(rows, {}, [](const Row& row) { return row.bead.id; });
-  for (const auto& row : rows) {
-    s.beads.push_back(row.bead);
-    s.x.push_back(row.x);
-    s.v.push_back(row.v);
-    s.w.push_back(row.w);
-    s.force.push_back(row.force);
-    s.torque.push_back(row.torque);
-  }
+  s.kinetic_energy = order_independent_sum(kinetic, ranks_);
+  s.mean_unbalanced_force = mean(unbalanced, ranks_);
+  return s;
+}
 
-  // A contact between two ranks counts on the rank of its first bead.
-  ContactTerms pairs;
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const auto c = contacts.pair(k);
-    const auto i = static_cast<std::size_t>(c.i);
-    const auto j = static_cast<std::size_t>(c.j);
-    if (!p.is_own(i)) continue;
-    pairs.add(options_.model.contact, overlap(c), 2.0 * std::min(p.radius(i), p.radius(j)),
-              c.coefficients, c.history);
-  }
-  ContactTerms all = pairs;
+/// Adds the wall contacts to the terms of the pairs, and sums them up.
+void Dem::sum_contacts(ContactTerms& terms,
+                       const std::vector<WallContacts>& wall_contacts,
+                       Snapshot& s) const {
+  std::array<std::int64_t, 1> touching = {static_cast<std::int64_t>(terms.overlap.size())};
+  s.mean_overlap = mean(terms.overlap, ranks_);
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     for (const auto& c : wall_contacts[w]) {
       const auto i = static_cast<std::size_t>(c.bead);
-      const double depth = p.radius(i) - distance_to(walls_[w], p.motion[i].x).distance;
-      all.add(options_.model.contact, depth, 2.0 * p.radius(i), c.coefficients, c.history);
+      const double radius = particles_.radius(i);
+      const double depth = radius - distance_to(walls_[w], particles_.motion[i].x).distance;
+      terms.add(options_.model.contact, depth, 2.0 * radius, c.coefficients, c.history);
     }
   }
-  std::array<std::int64_t, 1> touching = {static_cast<std::int64_t>(pairs.overlap.size())};
   ranks_.sum(touching);
-  s.kinetic_energy = order_independent_sum(kinetic, ranks_);
-  s.elastic_energy = order_independent_sum(all.energy, ranks_);
-  s.mean_contact_force = mean(all.force, ranks_);
-  s.mean_unbalanced_force = mean(unbalanced, ranks_);
-  s.mean_overlap = mean(pairs.overlap, ranks_);
-  s.max_overlap_ratio = ranks_.max(all.max_overlap_ratio);
+  s.elastic_energy = order_independent_sum(terms.energy, ranks_);
+  s.mean_contact_force = mean(terms.force, ranks_);
+  s.max_overlap_ratio = ranks_.max(terms.max_overlap_ratio);
   s.coordination_number =
       bead_count_ > 0 ? 2.0 * static_cast<double>(touching[0]) / static_cast<double>(bead_count_)
                       : 0.0;
-  return s;
 }
 
 }  // namespace packbed::dem

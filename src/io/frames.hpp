@@ -17,7 +17,7 @@ namespace packbed::io {
 
 /// Beads at one time. Views of the caller's data.
 struct BeadFrame {
-  double time;                     ///< [s]
+  double time = 0.0;               ///< [s]
   std::span<const Vec3> x;         ///< centers [m]
   std::span<const double> radius;  ///< [m]
   std::span<const std::int64_t> id;
@@ -35,11 +35,11 @@ void write_bead_frame(const std::filesystem::path& file,
 struct ContactLine {
   Vec3 from;  ///< center of bead i [m]
   Vec3 to;    ///< center of bead j, or the point of the wall that i touches [m]
-  std::int64_t id_i;
-  std::int64_t id_j;        ///< or wall_id(wall)
-  double normal_force;      ///< positive where they push [N]
-  double tangential_force;  ///< amount [N]
-  double overlap;           ///< [m]
+  std::int64_t id_i = 0;
+  std::int64_t id_j = 0;          ///< or wall_id(wall)
+  double normal_force = 0.0;      ///< positive where they push [N]
+  double tangential_force = 0.0;  ///< amount [N]
+  double overlap = 0.0;           ///< [m]
 };
 
 /// What stands for a wall where ids of beads stand: -1 for wall 0, -2 for wall 1 ...
@@ -47,7 +47,7 @@ constexpr std::int64_t wall_id(std::int64_t wall) { return -1 - wall; }
 
 /// Contacts at one time.
 struct ContactFrame {
-  double time;  ///< [s]
+  double time = 0.0;  ///< [s]
   std::span<const ContactLine> contacts;
 };
 

@@ -50,8 +50,8 @@ std::string name_of(Element element);  ///< "float64", ...
 
 /// An array in a file: rows of `width` numbers. In the file it has one dimension if width is 1.
 struct ArrayForm {
-  Element element;
-  std::int64_t rows;
+  Element element = Element::float64;
+  std::int64_t rows = 0;
   std::size_t width = 1;
   int deflate = 0;  ///< zlib level, 0 (none) to 9
 };

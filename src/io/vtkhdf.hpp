@@ -34,7 +34,7 @@ enum class CellShape : std::uint8_t { vertex = 1, line = 3, quadrilateral = 9, h
 
 /// A mesh of cells of one shape. Views of the caller's data.
 struct UnstructuredGrid {
-  CellShape shape;
+  CellShape shape = CellShape::vertex;
   std::span<const Vec3> points;                         ///< [m]
   std::span<const std::int64_t> connectivity;           ///< points of each cell, in VTK's order
   std::vector<FrameArray> point_data;                   ///< one value per point

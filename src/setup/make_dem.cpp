@@ -2,6 +2,7 @@
 #include "setup/make_dem.hpp"
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <utility>
 
@@ -181,6 +182,10 @@ dem::DemOptions options_of(const Case& c, double step) {
   options.inertia_scale = c.numerics.inertia_scale.value_or(1.0);
   if (c.numerics.background_damping)
     options.background_damping = 1.0 / *c.numerics.background_damping;
+  if (c.column.mesh && Ranks::all().size() > 1) {  // beads belong to ranks like the liquid's cells
+    options.mesh = std::make_shared<const mesh::ColumnMesh>(
+        c.column.shape, mesh::cell_counts(c.column.shape, *c.column.mesh));
+  }
   return options;
 }
 

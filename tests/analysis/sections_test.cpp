@@ -31,15 +31,24 @@ TEST(Sections, StartEqualAndUncompressed) {
 
   ASSERT_EQ(rows.size(), 7U);
   double solid = 0.0;
-  for (std::size_t k = 0; k < 7; ++k) {
-    EXPECT_EQ(rows[k].section, static_cast<int>(k) + 1);
-    EXPECT_NEAR(rows[k].height, height / 7.0, 1e-15);
-    EXPECT_NEAR(rows[k].compression, 0.0, 1e-12);
-    solid += rows[k].packing_density * rows[k].height * area;
+  for (const auto& row : rows) {
+    EXPECT_NEAR(row.height, height / 7.0, 1e-15);
+    EXPECT_NEAR(row.compression, 0.0, 1e-12);
+    solid += row.packing_density * row.height * area;
   }
-  EXPECT_EQ(rows.front().z_top, height);
-  EXPECT_EQ(rows.back().z_bottom, 0.0);
   EXPECT_NEAR(solid / total_volume(beads), 1.0, 1e-12);
+}
+
+TEST(Sections, CountFromTheTop) {
+  const auto beads = bed();
+  const auto rows =
+      sections(section_reference(beads, height, {.count = 3}, alone), beads, height, area, alone);
+
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows.front().section, 1);
+  EXPECT_EQ(rows.front().z_top, height);
+  EXPECT_EQ(rows.back().section, 3);
+  EXPECT_EQ(rows.back().z_bottom, 0.0);
 }
 
 // The reference stands for what a checkpoint restores: plain numbers, beads in another order.

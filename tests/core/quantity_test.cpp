@@ -69,7 +69,7 @@ TEST_F(Quantities, OfAnotherDimensionAreNamed) {
 }
 
 TEST_F(Quantities, ReciprocalUnitsAreAnotherDimension) {
-  EXPECT_THAT(refusal("10 Hz", time), HasSubstr("is not a unit of time"));
+  EXPECT_THAT(refusal("10 Hz", time), HasSubstr("it is a frequency, not a time"));
 }
 
 TEST_F(Quantities, UnknownUnitsAreNamed) {

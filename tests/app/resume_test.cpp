@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs that are killed, stopped and resumed, as a user sees them.
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/random.hpp"
+#include "tests/support/run_program.hpp"
+
+namespace packbed {
+namespace {
+
+namespace fs = std::filesystem;
+using test::run_packbed;
+using test::run_shell;
+using testing::HasSubstr;
+
+constexpr const char* small_bed = R"(
+title = "A small bed"
+[column]
+shape = "slice"
+inner_diameter = "1.2 mm"
+slice_depth = "0.5 mm"
+height = "8 mm"
+[resin]
+name = "CM Sepharose 6FF"
+coarse_grain = 3
+[liquid]
+[beads]
+count = 50
+[[protocol]]
+step = "settle"
+[[protocol]]
+step = "tap"
+amplitude = "20 um"
+frequency = "200 Hz"
+count = 1
+[[protocol]]
+step = "run"
+duration = "20 ms"
+[output]
+checkpoint_interval = "20 ms"
+frame_interval = "20 ms"
+beads_csv = true
+)";
+
+/// Every file of a run but those that tell of wall time.
+std::map<std::string, std::string> results(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const auto name = fs::relative(entry.path(), folder).string();
+    if (!entry.is_regular_file() || name == "run.log") continue;
+    std::ifstream stream(entry.path(), std::ios::binary);
+    files[name] = {std::istreambuf_iterator<char>(stream), {}};
+  }
+  auto summary = nlohmann::ordered_json::parse(files.at("summary.json"));
+  summary.erase("wall_time_s");
+  files["summary.json"] = summary.dump();
+  return files;
+}
+
+void expect_same(const fs::path& a, const fs::path& b, const std::set<std::string>& but = {}) {
+  const auto one = results(a);
+  const auto other = results(b);
+  for (const auto& [name, content] : one) {
+    if (std::ranges::any_of(but, [&](const auto& begin) { return name.starts_with(begin); })) {
+      continue;
+    }
+    ASSERT_TRUE(other.contains(name)) << name;
+    EXPECT_TRUE(other.at(name) == content) << name;
+  }
+  if (but.empty()) {
+    EXPECT_EQ(one.size(), other.size());
+  }
+}
+
+class Resume : public testing::Test {
+ protected:
+  void SetUp() override {
+    case_ = folder_.file("bed.toml", small_bed);
+    const auto begin = std::chrono::steady_clock::now();
+    ASSERT_EQ(run("whole").code, 0);
+    seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
+
+  [[nodiscard]] fs::path in(const std::string& name) const { return folder_.path() / name; }
+
+  [[nodiscard]] std::string call(const std::string& name, const std::string& options) const {
+    return fmt::format("ASAN_OPTIONS=detect_leaks=0 {} run {} -o {} {}", PACKBED_PROGRAM,
+                       case_.string(), in(name).string(), options);
+  }
+  [[nodiscard]] test::Outcome run(const std::string& name,
+                                  const std::string& options = "-n 1") const {
+    return run_shell(call(name, options), PACKBED_SOURCE_DIR);
+  }
+  /// The same, killed after some seconds.
+  [[nodiscard]] test::Outcome killed(const std::string& name,
+                                     double seconds,
+                                     const std::string& options) const {
+    const auto line = call(name, options);
+    const auto program = line.find(PACKBED_PROGRAM);
+    return run_shell(fmt::format("{}timeout -s KILL {:.3f} {}", line.substr(0, program), seconds,
+                                 line.substr(program)),
+                     PACKBED_SOURCE_DIR);
+  }
+  /// The same, sent a signal as soon as there is a checkpoint.
+  [[nodiscard]] test::Outcome stopped(const std::string& name,
+                                      const std::string& signal,
+                                      const std::string& options) const {
+    const auto checkpoints = (in(name) / "checkpoints").string();
+    return run_shell(
+        fmt::format(
+            "{} & run=$!; until ls {}/*.h5 >/dev/null 2>&1 || ! kill -0 $run; do sleep 0.02; "
+            "done; kill -{} $run; wait $run",
+            call(name, options), checkpoints, signal),
+        PACKBED_SOURCE_DIR);
+  }
+  [[nodiscard]] bool has_checkpoint(const std::string& name) const {
+    std::error_code none;
+    return std::ranges::any_of(fs::directory_iterator(in(name) / "checkpoints", none),
+                               [](const auto& entry) { return entry.path().extension() == ".h5"; });
+  }
+
+  test::TemporaryFolder folder_;
+  fs::path case_;
+  double seconds_ = 0.0;
+};
+
+TEST_F(Resume, AfterBeingKilledAtRandomInstantsGivesTheSameFiles) {
+  std::string how = "--overwrite -n 1";
+  for (std::uint64_t kill = 0; kill < 4 && !fs::exists(in("killed") / "summary.json"); ++kill) {
+    const double share = 0.1 + 0.5 * uniform(41, Stream::bead_position, kill);
+    (void)killed("killed", share * seconds_, how);
+    if (has_checkpoint("killed")) how = "--resume -n 1";
+  }
+  if (!fs::exists(in("killed") / "summary.json")) {
+    const auto last = run("killed", how);
+    ASSERT_EQ(last.code, 0) << last.err;
+  }
+  expect_same(in("whole"), in("killed"));
+}
+
+TEST_F(Resume, AfterASignalItTellsHowToGoOn) {
+  const auto first = stopped("stopped", "TERM", "-n 1");
+  ASSERT_EQ(first.code, 4) << first.err;
+  EXPECT_THAT(first.err, HasSubstr("checkpoint"));
+  EXPECT_THAT(first.err, HasSubstr("--resume"));
+  EXPECT_FALSE(fs::exists(in("stopped") / "summary.json"));
+  ASSERT_EQ(run("stopped", "--resume -n 1").code, 0);
+  expect_same(in("whole"), in("stopped"));
+
+  const auto again = run("stopped", "--resume -n 1");
+  EXPECT_EQ(again.code, 1);
+  EXPECT_THAT(again.err, HasSubstr("nothing to resume"));
+}
+
+TEST_F(Resume, OnTwoRanksAfterAnInterrupt) {
+  const auto first = stopped("two", "INT", "-n 2");
+  ASSERT_EQ(first.code, 4) << first.err;
+  ASSERT_EQ(run("two", "--resume -n 1").code, 0);  // and on another number of ranks
+  expect_same(in("whole"), in("two"), {"checkpoints"});
+}
+
+TEST_F(Resume, WithoutCheckpointsTheResultsAreTheSame) {
+  auto text = std::string(small_bed);
+  text.replace(text.find("\"20 ms\"\nframe"), 7, "\"none\"");
+  case_ = folder_.file("bed.toml", text);
+  ASSERT_EQ(run("without").code, 0);
+  expect_same(in("whole"), in("without"), {"checkpoints", "case.toml", "summary.json"});
+}
+
+TEST_F(Resume, RefusesAnotherCaseAndNamesTheKey) {
+  ASSERT_EQ(stopped("other", "TERM", "-n 1").code, 4);
+  auto text = std::string(small_bed);
+  text.replace(text.find("coarse_grain = 3"), 16, "coarse_grain = 3\nfriction = 0.2");
+  case_ = folder_.file("bed.toml", text);
+  const auto refused = run("other", "--resume -n 1");
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_THAT(refused.err, HasSubstr("resin.friction was 0.1, and is 0.2 now"));
+}
+
+TEST_F(Resume, RefusesWhatIsDamagedOrMissing) {
+  ASSERT_EQ(stopped("damaged", "TERM", "-n 1").code, 4);
+  for (const auto& entry : fs::directory_iterator(in("damaged") / "checkpoints")) {
+    std::fstream file(entry.path(), std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(static_cast<std::streamoff>(fs::file_size(entry.path()) / 2));
+    file.put('\x55');
+    file.put('\xaa');
+  }
+  const auto altered = run("damaged", "--resume -n 1");
+  EXPECT_EQ(altered.code, 3);
+  EXPECT_THAT(altered.err, HasSubstr("altered"));
+  fs::remove_all(in("damaged") / "checkpoints");
+  const auto missing = run("damaged", "--resume -n 1");
+  EXPECT_EQ(missing.code, 1);
+  EXPECT_THAT(missing.err, HasSubstr("no checkpoint"));
+  EXPECT_EQ(run_packbed("run --resume --overwrite x.toml").code, 1);
+}
+
+}  // namespace
+}  // namespace packbed
