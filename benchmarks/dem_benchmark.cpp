@@ -111,8 +111,8 @@ void add_all() {
   const std::vector<Case> cases = {b2k,
                                    {"b18k", 1e-6, 6000, 100},
                                    {"s18k", 1e-6, 6000, 100},
-                                   {"equal20k", 1e-6, 6000, 100},
-                                   {"wide20k", 5e-7, 6000, 100},
+                                   {"equal20k", 1e-6, 1000, 100},
+                                   {"wide20k", 5e-7, 1000, 100},
                                    {"b223k", 1e-6, 1000, 20},
                                    {"b1m", 1e-6, 500, 10}};
   for (const auto& c : cases) add("step/" + c.bed, whole_steps, c);

@@ -7,8 +7,8 @@
 namespace packbed::dem {
 namespace {
 
-constexpr std::size_t portion = 1 << 14;   // pairs, after which memory is given back
-constexpr std::size_t large = 64U << 20U;  // bytes, below which it is not worth while
+constexpr std::size_t portion = 1 << 14;  // pairs, after which memory is given back
+constexpr std::size_t large = 8U << 20U;  // bytes, below which it is not worth while
 
 std::size_t old_place(const KnownPair& p) {
   return static_cast<std::size_t>(p.old >= 0 ? p.old : -1 - p.old);
