@@ -12,7 +12,9 @@ namespace {
 using namespace test;  // NOLINT
 
 TEST(Tap, HasTheStrengthOfItsSine) {
-  const TapOptions options{.amplitude = 1e-3, .frequency = 30.0};
+  TapOptions options;
+  options.amplitude = 1e-3;
+  options.frequency = 30.0;
   EXPECT_NEAR(tap_strength(options), 1e-3 * 188.4956 * 188.4956 / 9.81, 1e-4);
 }
 
