@@ -4,40 +4,46 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
+#include <span>
 
 namespace packbed::column {
 namespace {
 
-constexpr std::array frictions = {0.0, 0.01, 0.02, 0.04, 0.07, 0.1, 0.2, 0.5, 1.0};
-constexpr std::array rolling_frictions = {0.0, 0.1, 0.35};
-// One row per rolling friction.
-constexpr double measured[3][9] = {{0.36, 0.37, 0.375, 0.38, 0.39, 0.395, 0.40, 0.405, 0.41},
-                                   {0.36, 0.37, 0.375, 0.38, 0.39, 0.40, 0.41, 0.42, 0.43},
-                                   {0.36, 0.37, 0.375, 0.38, 0.39, 0.40, 0.41, 0.42, 0.43}};
+struct Measured {
+  double friction;
+  double porosity;
+};
 
-/// Place of x in a table: a row and the share of the next one.
-template <std::size_t n>
-std::pair<std::size_t, double> place(const std::array<double, n>& table, double x) {
+constexpr std::array without_rolling_friction = {Measured{0.0, 0.3586}, Measured{0.02, 0.3644},
+                                                 Measured{0.1, 0.3778}, Measured{0.2, 0.3980},
+                                                 Measured{0.5, 0.4124}};
+constexpr std::array with_rolling_friction = {Measured{0.0, 0.3586},  Measured{0.02, 0.3651},
+                                              Measured{0.05, 0.3778}, Measured{0.1, 0.3930},
+                                              Measured{0.2, 0.4206},  Measured{0.5, 0.4480}};
+constexpr double measured_rolling_friction = 0.35;  // of the second list
+// At rolling friction 0.1 and friction 0.1 two thirds of the difference are reached (0.3880).
+constexpr double saturation = 0.09;
+
+double interpolated(std::span<const Measured> list, double friction) {
   std::size_t k = 0;
-  while (k + 2 < n && x >= table[k + 1]) ++k;
-  return {k, std::clamp((x - table[k]) / (table[k + 1] - table[k]), 0.0, 1.0)};
-}
-
-double along(const double (&row)[9], std::size_t k, double share) {
-  return (1.0 - share) * row[k] + share * row[k + 1];
+  while (k + 2 < list.size() && friction >= list[k + 1].friction) ++k;
+  const double width = list[k + 1].friction - list[k].friction;
+  const double share = std::clamp((friction - list[k].friction) / width, 0.0, 1.0);
+  return (1.0 - share) * list[k].porosity + share * list[k + 1].porosity;
 }
 
 }  // namespace
 
 double settled_porosity(double friction, double rolling_friction) {
-  const auto [k, share] = place(frictions, friction);
-  const auto [r, part] = place(rolling_frictions, rolling_friction);
-  return (1.0 - part) * along(measured[r], k, share) + part * along(measured[r + 1], k, share);
+  const double share = std::min(1.0, (1.0 - std::exp(-rolling_friction / saturation)) /
+                                         (1.0 - std::exp(-measured_rolling_friction / saturation)));
+  return (1.0 - share) * interpolated(without_rolling_friction, friction) +
+         share * interpolated(with_rolling_friction, friction);
 }
 
 double settling_friction(double porosity, double rolling_friction) {
-  double low = frictions.front(), high = frictions.back();
+  double low = with_rolling_friction.front().friction;
+  double high = with_rolling_friction.back().friction;
   for (int n = 0; n < 50; ++n) {
     const double middle = 0.5 * (low + high);
     (settled_porosity(middle, rolling_friction) < porosity ? low : high) = middle;

@@ -10,7 +10,7 @@ namespace packbed::column {
 /// this friction of bead on bead and this rolling friction; interpolated, and held at the ends.
 double settled_porosity(double friction, double rolling_friction);
 
-/// The friction at which a bed settles to a porosity; within [0, 1].
+/// The friction at which a bed settles to a porosity; within [0, 0.5].
 double settling_friction(double porosity, double rolling_friction);
 
 }  // namespace packbed::column
