@@ -23,20 +23,20 @@ inline constexpr std::array<const char*, 7> patch_names = {"inlet",  "outlet", "
 
 /// Edge between two cells. The owner lies to the left of a -> b, so (dy, -dx) points to the neighbor.
 struct InnerEdge {
-  std::int32_t a;
-  std::int32_t b;
-  std::int32_t owner;  ///< < neighbor
-  std::int32_t neighbor;
+  std::int32_t a = 0;
+  std::int32_t b = 0;
+  std::int32_t owner = 0;  ///< < neighbor
+  std::int32_t neighbor = 0;
   Point
       shift;  ///< to be added to the neighbor to see it from the owner: not 0 over a periodic side
 };
 
 /// Edge at the border; its cell lies to the left of a -> b.
 struct BorderEdge {
-  std::int32_t a;
-  std::int32_t b;
-  std::int32_t cell;
-  Patch patch;
+  std::int32_t a = 0;
+  std::int32_t b = 0;
+  std::int32_t cell = 0;
+  Patch patch = Patch::wall;
 };
 
 struct CrossSection {
@@ -55,8 +55,8 @@ struct CrossSection {
 };
 
 struct AreaAndCenter {
-  double area;   ///< [m2]
-  Point center;  ///< centroid
+  double area = 0.0;  ///< [m2]
+  Point center{};     ///< centroid
 };
 
 /// Of a quadrilateral, corners counterclockwise.
