@@ -34,12 +34,16 @@ Rest rest_of(const dem::Dem& dem) {
   const auto s = dem.snapshot();
   const auto& p = dem.particles();
   double fastest = 0.0;
+  double speed = 0.0;
   for (std::size_t i = 0; i < p.size(); ++i) {
-    if (p.is_own(i)) fastest = std::max(fastest, std::abs(p.motion[i].v.z));
+    if (!p.is_own(i)) continue;
+    fastest = std::max(fastest, std::abs(p.motion[i].v.z));
+    if (p.motion[i].inv_mass > 0.0) speed = std::max(speed, norm(p.motion[i].v));
   }
   const double contact = s.mean_contact_force;
   return {.unbalanced = contact > 0.0 ? s.mean_unbalanced_force / contact : 1.0,
           .fastest = dem.ranks().max(fastest),
+          .speed = dem.ranks().max(speed),
           .coordination = s.coordination_number,
           .max_overlap = s.max_overlap_ratio};
 }

@@ -28,6 +28,7 @@ struct Rest {
   double unbalanced =
       1.0;  ///< mean unbalanced force of a bead / mean contact force; 1 without contacts
   double fastest = 0.0;       ///< speed of the fastest bead along z [m/s]
+  double speed = 0.0;         ///< of the fastest free bead in any direction [m/s]
   double coordination = 0.0;  ///< contacts between beads per bead
   double max_overlap = 0.0;   ///< largest overlap / diameter
 };

@@ -59,7 +59,9 @@ bool Settle::advance(dem::Dem& dem) {
       after_densify(dem);
       break;
     case SettlePhase::submerge:
-      if (is_at_rest(options_.unbalanced_limit)) after_submerge(dem);
+      if (is_at_rest(options_.unbalanced_limit) && rest_.speed < options_.speed_limit) {
+        after_submerge(dem);
+      }
       break;
     default:
       break;

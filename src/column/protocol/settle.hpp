@@ -51,6 +51,7 @@ struct SettleOptions {
   double damping_after = 0.0;  ///< rate that is set in the end; 0: none [1/s]
   double rest_limit = 1e-5;    ///< unbalanced / contact force at which a dry bed counts as at rest
   double unbalanced_limit = 1e-6;    ///< of the bed at rest in the end: unbalanced / contact force
+  double speed_limit = 1e-6;         ///< of its fastest bead, rattlers too [m/s]
   std::int64_t slice = 500;          ///< time steps
   std::int64_t most_slices = 20000;  ///< of a phase, before it is given up
 };

@@ -77,7 +77,7 @@ void Tap::rest(dem::Dem& dem) {
   const bool last = state_.taps == options_.count;
   const double limit = last ? options_.unbalanced_limit : options_.rest_limit;
   if (!is_steady(state_.bed_height, state_.height_before, bed.mean_diameter) ||
-      rest.unbalanced >= limit) {
+      rest.unbalanced >= limit || (last && rest.speed >= options_.speed_limit)) {
     return;
   }
   dem.set_background_damping(options_.damping_after);

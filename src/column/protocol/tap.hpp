@@ -26,6 +26,7 @@ struct TapOptions {
   double damping_after = 0.0;  ///< background damping while shaking and in the end; 0: none [1/s]
   double rest_limit = 1e-5;    ///< unbalanced / contact force at which the next tap comes
   double unbalanced_limit = 1e-6;    ///< the same after the last
+  double speed_limit = 1e-6;         ///< of the fastest bead after the last, rattlers too [m/s]
   std::int64_t slice = 500;          ///< time steps, at rest
   std::int64_t most_slices = 20000;  ///< of a rest, before it is given up
 };
