@@ -11,8 +11,8 @@
 namespace packbed::setup {
 namespace {
 
-// Measured at the peak, which is at a renewal of the lists (docs/performance.md, "Memory").
-constexpr double bytes_per_bead = 2200.0;
+// Measured at the peak of a run with its outputs (docs/performance.md, "Memory").
+constexpr double bytes_per_bead = 900.0;
 
 double sphere(double diameter) { return std::numbers::pi / 6.0 * std::pow(diameter, 3); }
 
