@@ -156,10 +156,10 @@ struct NumericsOptions {
 };
 
 struct OutputOptions {
-  std::string directory;   ///< as given; runs/<name of the case> by default
-  double interval = 0.0;   ///< simulated time between rows of series.csv [s]
-  bool beads_csv = false;  ///< also write frames/beads_N.csv at each row
-  bool frames = true;      ///< write frames/beads_N.hdf and contacts_N.hdf
+  std::string directory;                      ///< as given; runs/<name of the case> by default
+  double interval = 0.0;                      ///< simulated time between rows of series.csv [s]
+  bool beads_csv = false;                     ///< also write frames/beads_N.csv at each row
+  bool frames = true;                         ///< write frames/beads_N.hdf and contacts_N.hdf
   std::optional<double> frame_interval;       ///< simulated [s]; none: at the ends of stages
   std::optional<double> checkpoint_interval;  ///< wall time [s]; none: only when a run is stopped
   bool operator==(const OutputOptions&) const = default;
