@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Our time steps against those of LIGGGHTS on the same bed, in turn on one core, by processor time.
+# Our time steps against those of LIGGGHTS on the same bed, in turn on one core, by wall time.
 #
 #   benchmarks/compare_liggghts.sh BED [ROUNDS]      BED: b2k, b18k, s18k, b223k, b1m
 #
 # Needs LIGGGHTS (apt-get install --no-install-recommends liggghts, or LIGGGHTS=/path/to/it) and our programs
 # (./packbed benchmark builds them). STEP [s], WARM, COUNT and REPEATS may be set; CORE is the core used.
-# A figure of LIGGGHTS is the processor time of a run less that of a run that only reads and warms up.
+# Both by their own clocks of wall time, medians of blocks of COUNT steps: needs a quiet core. Ours tells the
+# processor time too: if the two differ, others were on the core.
 set -euo pipefail
 
 here=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")" && pwd)
@@ -32,30 +33,23 @@ grep -q '^bed, walls in x' "$file" && xb=f xw=1
 lx=$(awk '/xlo/ { print $2 }' "$file")
 beads=$(awk '/ atoms/ { print $1 }' "$file")
 
-# seconds COMMAND...: its processor time.
-seconds() {
-  local TIMEFORMAT='%U %S' used
-  used=$({ time taskset -c "$core" "$@" >/dev/null 2>&1; } 2>&1)
-  awk '{ print $1 + $2 }' <<<"$used"
-}
-
-run_liggghts() { # WARM COUNT
-  seconds "$liggghts" -in "$here/in.liggghts" -var bed "$file" -var xb $xb -var xw $xw -var lx "$lx" \
-    -var dt "$step" -var warm "$1" -var n "$2" -var rep 1 -log none
+run_liggghts() {
+  taskset -c "$core" "$liggghts" -in "$here/in.liggghts" -var bed "$file" -var xb $xb -var xw $xw \
+    -var lx "$lx" -var dt "$step" -var warm "$warm" -var n "$count" -var rep "$repeats" -log none |
+    awk -v n="$beads" '/^Loop time/ && ++block > 1 { print 1e-6 * n * $9 / $4 }' | median
 }
 
 median() { sort -g | awk '{ v[NR] = $1 } END { print (v[int((NR + 1) / 2)] + v[int(NR / 2) + 1]) / 2 }'; }
 
 ours=() theirs=() ratios=()
 for ((round = 1; round <= rounds; ++round)); do
-  a=$(taskset -c "$core" "$programs/time_steps" "$bed" "$step" "$warm" "$count" "$repeats" |
-    awk '/processor time/ { print $9 }' | median)
-  total=$((count * repeats))
-  b=$(awk -v n="$beads" -v s="$total" -v long="$(run_liggghts "$warm" "$total")" \
-    -v short="$(run_liggghts "$warm" 0)" 'BEGIN { print 1e-6 * n * s / (long - short) }')
+  ran=$(taskset -c "$core" "$programs/time_steps" "$bed" "$step" "$warm" "$count" "$repeats")
+  a=$(awk '/by wall time/ { print $4 }' <<<"$ran" | median)
+  cpu=$(awk '/by wall time/ { print $4 / $9 }' <<<"$ran" | median)
+  b=$(run_liggghts)
   ratio=$(awk -v a="$a" -v b="$b" 'BEGIN { print a / b }')
   ours+=("$a") theirs+=("$b") ratios+=("$ratio")
-  echo "$bed round $round: packbed $a, LIGGGHTS $b million bead-steps/s, ratio $ratio"
+  echo "$bed round $round: packbed $a, LIGGGHTS $b million bead-steps/s, ratio $ratio (cpu/wall $cpu)"
 done
 echo "$bed median: packbed $(printf '%s\n' "${ours[@]}" | median)," \
   "LIGGGHTS $(printf '%s\n' "${theirs[@]}" | median), ratio $(printf '%s\n' "${ratios[@]}" | median)"
