@@ -8,7 +8,7 @@
 namespace packbed::dem {
 namespace {
 
-/// z-slab and y-row in one number. Beads that have escaped farther than a million cells all count as being
+/// y-strip, z-slab and y-row in one number. Beads that have escaped farther than a million cells all count as being
 /// in the outermost row, and are ordered by x and id.
 std::int64_t row_of(const Vec3& x, const Domain& domain, double cell) {
   constexpr double outermost = 1e6;
@@ -17,7 +17,9 @@ std::int64_t row_of(const Vec3& x, const Domain& domain, double cell) {
     return static_cast<std::int64_t>(std::clamp(s, -outermost, outermost));
   };
   constexpr std::int64_t rows = 1 << 22;
-  return slab(x.z, 2) * rows + slab(x.y, 1);
+  constexpr std::int64_t strip = 8;  // rows of it: a slab of a strip and its pairs fit the cache
+  const std::int64_t y = slab(x.y, 1) + rows / 2;
+  return ((y / strip) * rows + slab(x.z, 2)) * strip + y % strip;
 }
 
 /// What is sorted: within a row, order by cell and then x is order by x.

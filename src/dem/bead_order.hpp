@@ -15,7 +15,8 @@ namespace packbed::dem {
 /// Takes beads that crossed a periodic side back inside; returns how often each was moved.
 std::vector<Image> wrap(Particles& particles, const Domain& domain);
 
-/// Order of the beads by one global key: cell of a fixed grid (z-slab, y-row, x), then x, then id.
+/// Order of the beads by one global key: cell of a fixed grid (strip of y-rows, z-slab,
+/// y-row, x), then x, then id.
 /// `cell` is the width of that grid [m]; it must not change during a run.
 std::vector<std::int32_t> key_order(const Particles& particles, const Domain& domain, double cell);
 

@@ -35,7 +35,7 @@ struct DemOptions {
   double background_damping = 0.0;  ///< 1 / time in which a free bead would slow down [1/s]
   double skin = 0.0;                ///< gap below which pairs are listed [m]; 0: chosen
   double overlap_limit = 0.3;       ///< of the smaller diameter; beyond it the run stops
-  double load_tolerance = 1.2;      ///< beads of the fullest rank over the mean, before a new cut
+  double load_tolerance = 1.05;     ///< work of the fullest rank over the mean, before a new cut
   /// Cells by which beads belong to ranks; rows of the key grid if there are none. Not copied: it may
   /// be stretched during the run, alike on all ranks.
   std::shared_ptr<const mesh::ColumnMesh> mesh = {};

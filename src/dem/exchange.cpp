@@ -34,6 +34,21 @@ std::vector<Vec3> own_centers(const Particles& particles) {
   return centers;
 }
 
+std::vector<std::int64_t> own_work(const Particles& particles, const ContactList& contacts) {
+  std::vector<std::int64_t> work(particles.size(), 1);
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const auto key = contacts.key(k);
+    ++work[static_cast<std::size_t>(key.i)];
+    ++work[static_cast<std::size_t>(key.j)];
+  }
+  std::size_t own = 0;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (particles.is_own(i)) work[own++] = work[i];
+  }
+  work.resize(own);
+  return work;
+}
+
 std::vector<std::int32_t> new_owners(const Particles& particles, const Partition& partition) {
   std::vector<std::int32_t> owners(particles.size(), -1);
   for (std::size_t i = 0; i < owners.size(); ++i) {

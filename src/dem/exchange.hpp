@@ -57,6 +57,9 @@ struct Luggage {
 
 std::vector<Vec3> own_centers(const Particles& particles);
 
+/// What each of them costs in a step: one for the bead and one for each pair listed with it.
+std::vector<std::int64_t> own_work(const Particles& particles, const ContactList& contacts);
+
 /// The rank that owns the place of each own bead now; -1 for halo beads.
 std::vector<std::int32_t> new_owners(const Particles& particles, const Partition& partition);
 

@@ -54,9 +54,12 @@ std::vector<int> Partition::owners_within(const Vec3& x, double reach) const {
   return owners;
 }
 
-double Partition::fullest_over_mean(const std::vector<Vec3>& own) const {
+double Partition::fullest_over_mean(const std::vector<Vec3>& own,
+                                    const std::vector<std::int64_t>& work) const {
   std::vector<std::int64_t> loads(static_cast<std::size_t>(ranks_.size()), 0);
-  for (const auto& x : own) ++loads[static_cast<std::size_t>(owner(x))];
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    loads[static_cast<std::size_t>(owner(own[k]))] += work[k];
+  }
   ranks_.sum(loads);
   const auto total = std::accumulate(loads.begin(), loads.end(), std::int64_t{0});
   const auto fullest = *std::ranges::max_element(loads);
@@ -64,23 +67,28 @@ double Partition::fullest_over_mean(const std::vector<Vec3>& own) const {
                    : 1.0;
 }
 
-double Partition::balance(const std::vector<Vec3>& own, double tolerance, bool always) {
+double Partition::balance(const std::vector<Vec3>& own,
+                          const std::vector<std::int64_t>& work,
+                          double tolerance,
+                          bool always) {
   if (ranks_.size() == 1) return 1.0;
   double worst = 1.0;
   if (!always) {
-    worst = fullest_over_mean(own);
+    worst = fullest_over_mean(own, work);
     if (worst <= tolerance) return worst;
   }
   std::visit([&](auto& units) { units.fit(own, ranks_); }, units_);
-  std::vector<std::int64_t> beads(static_cast<std::size_t>(count(units_)), 0);
+  std::vector<std::int64_t> loads(static_cast<std::size_t>(count(units_)), 0);
   std::visit(
       [&](const auto& units) {
-        for (const auto& x : own) ++beads[static_cast<std::size_t>(units.unit(x))];
+        for (std::size_t k = 0; k < own.size(); ++k) {
+          loads[static_cast<std::size_t>(units.unit(own[k]))] += work[k];
+        }
       },
       units_);
-  ranks_.sum(beads);
+  ranks_.sum(loads);
   runs_ = mesh::CellPartition(count(units_), ranks_.size());
-  runs_.cut(beads);
+  runs_.cut(loads);
   return worst;
 }
 

@@ -6,6 +6,7 @@
 /// and each rank owns a run of them. Beads are ordered alike whoever owns them, so the own beads of a
 /// rank need not be a piece of that order.
 
+#include <cstdint>
 #include <memory>
 #include <variant>
 #include <vector>
@@ -26,10 +27,13 @@ class Partition {
             const Ranks& ranks,
             std::shared_ptr<const mesh::ColumnMesh> mesh = {});
 
-  /// Cuts the units anew if a rank would own more than `tolerance` times the mean number of beads, or
-  /// if `always`. `own` are the centers of this rank's beads. Returns the load of the fullest rank over
-  /// the mean, before the cut.
-  double balance(const std::vector<Vec3>& own, double tolerance, bool always);
+  /// Cuts the units anew if a rank would have more than `tolerance` times the mean work, or if `always`.
+  /// `own` are the centers of this rank's beads, `work` what each costs, in whole numbers. Returns the
+  /// work of the fullest rank over the mean, before the cut.
+  double balance(const std::vector<Vec3>& own,
+                 const std::vector<std::int64_t>& work,
+                 double tolerance,
+                 bool always);
 
   [[nodiscard]] int owner(const Vec3& x) const;
   /// Ranks that own units within `reach` of a point, periodic sides included, in rising order.
@@ -39,7 +43,8 @@ class Partition {
   [[nodiscard]] const mesh::CellPartition& runs() const { return runs_; }
 
  private:
-  [[nodiscard]] double fullest_over_mean(const std::vector<Vec3>& own) const;
+  [[nodiscard]] double fullest_over_mean(const std::vector<Vec3>& own,
+                                         const std::vector<std::int64_t>& work) const;
 
   std::variant<RowUnits, CellUnits> units_;
   Ranks ranks_;

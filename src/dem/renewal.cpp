@@ -119,10 +119,10 @@ void Dem::sort_beads_and_contacts() {
 // The same on several ranks. Beads that stay are found by their place, all others by their ids.
 void Dem::trade_beads_and_contacts() {
   const auto wraps = wrap(particles_, options_.domain);
-  if (partition_.balance(own_centers(particles_), options_.load_tolerance, renewals_ == 0) >
-      options_.load_tolerance) {
-    ++repartitions_;
-  }
+  const double fullest =
+      partition_.balance(own_centers(particles_), own_work(particles_, contacts_),
+                         options_.load_tolerance, renewals_ == 0);
+  if (fullest > options_.load_tolerance) ++repartitions_;
   const auto owners = new_owners(particles_, partition_);
   const auto arrived = migrate(particles_, contacts_, wall_contacts_, wraps, owners, ranks_);
 

@@ -161,7 +161,8 @@ void Dem::restore_lists(const DemState& all) {
        k += static_cast<std::size_t>(ranks_.size())) {
     share.push_back(all.beads[k].far_reference);
   }
-  partition_.balance(share, options_.load_tolerance, true);
+  partition_.balance(share, std::vector<std::int64_t>(share.size(), 1), options_.load_tolerance,
+                     true);
   particles_ = make_particles({}, 1.0);
   particles_.rank = ranks_.rank();
   std::vector<const BeadState*> here;
