@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -47,12 +48,13 @@ struct Snapshot {
   double time;                        ///< [s]
   std::vector<Vec3> x, v, w;          ///< one per bead, in the order of ids
   std::vector<Vec3> force, torque;    ///< of contacts and walls, without weight
+  std::vector<Vec3> drag;             ///< force of the liquid
   std::vector<BeadProperties> beads;  ///< likewise
   std::vector<Vec3> wall_force;       ///< on each wall [N]
   double kinetic_energy;              ///< with the masses that move [J]
   double elastic_energy;              ///< of normal and tangential springs [J]
   double mean_contact_force;          ///< of touching pairs and wall contacts [N]
-  double mean_unbalanced_force;       ///< of beads that are free, weight included [N]
+  double mean_unbalanced_force;       ///< of beads that are free, weight and drag included [N]
   double mean_overlap;                ///< of touching pairs of beads [m]
   double max_overlap_ratio;           ///< overlap / smaller diameter
   double coordination_number;         ///< touching pairs of beads, two per pair, per bead
@@ -96,6 +98,11 @@ class Dem {
   /// Weight less buoyancy, downwards [N], of each bead.
   void set_weights(const std::function<double(const BeadProperties&)>& weight);
   void set_inertia_scale(double scale);
+  /// Puts the beads into a liquid that does not pull yet, or takes them out. All ranks call it.
+  void set_in_liquid(bool in_liquid) { dem::set_in_liquid(in_liquid, particles_); }
+  /// One per bead of particles(), in a liquid; it acts from the next step on and stays with its bead. That
+  /// of halo beads is not looked at.
+  [[nodiscard]] std::span<Drag> drag() { return particles_.drag; }
   /// All diameters times `factor`, at constant density: masses, weights, moments of inertia and the
   /// coefficients of all contacts follow; centers, velocities, spins and springs (as lengths and
   /// angles) stay, and so do skin and box. The lists are renewed. All ranks call it. Throws ValueError

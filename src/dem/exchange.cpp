@@ -21,7 +21,11 @@ std::vector<T> joined(const std::vector<std::vector<T>>& parts) {
 }
 
 NamedBead named(const Particles& p, std::size_t i, std::int32_t owner) {
-  return {.motion = p.motion[i], .spin = p.spin[i], .properties = p.properties[i], .owner = owner};
+  return {.motion = p.motion[i],
+          .spin = p.spin[i],
+          .properties = p.properties[i],
+          .owner = owner,
+          .drag = p.in_liquid ? p.drag[i] : Drag{}};
 }
 
 }  // namespace
@@ -115,7 +119,7 @@ std::vector<NamedBead> halo(const Particles& own,
 }
 
 void add(Particles& particles, const std::vector<NamedBead>& beads) {
-  for (const auto& b : beads) add(particles, b.motion, b.spin, b.properties, b.owner);
+  for (const auto& b : beads) add(particles, b.motion, b.spin, b.properties, b.owner, b.drag);
 }
 
 std::vector<Run> own_runs(const Particles& particles) {

@@ -46,6 +46,7 @@ struct NamedBead {
   Spin spin;
   BeadProperties properties;
   std::int32_t owner = 0;
+  Drag drag;
 };
 
 /// What comes to a rank, or goes from it, at a renewal.

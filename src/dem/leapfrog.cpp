@@ -14,9 +14,8 @@ Four& four(double& first) { return reinterpret_cast<Four&>(first); }
 /// The first three numbers of a, the fourth of b.
 Four with_fourth(Four a, Four b) { return __builtin_shufflevector(a, b, 0, 1, 2, 7); }
 
-}  // namespace
-
-Vec3 move_beads(Particles& particles, std::size_t first, std::size_t last, const Leapfrog& step) {
+template <bool in_liquid>
+Vec3 move(Particles& particles, std::size_t first, std::size_t last, const Leapfrog& step) {
   const double damp = 0.5 * step.kick * step.damping;
   const double keep = (1.0 - damp) / (1.0 + damp);
   const double push = step.kick / (1.0 + damp);
@@ -33,7 +32,13 @@ Vec3 move_beads(Particles& particles, std::size_t first, std::size_t last, const
     const double kept = m.inv_mass > 0.0 ? keep : 1.0;
 
     const Four v = four(m.v.x);
-    const Four new_v = with_fourth(kept * v + (push * m.inv_mass) * force, v);
+    const double moved_by = push * m.inv_mass;
+    Four next = kept * v + moved_by * force;
+    if constexpr (in_liquid) {  // implicit: (v' - v) m / kick = F + rate (target - v')
+      Drag& drag = particles.drag[i];
+      next = (next + moved_by * drag.rate * four(drag.target.x)) / (1.0 + moved_by * drag.rate);
+    }
+    const Four new_v = with_fourth(next, v);
     const Four new_w = with_fourth(kept * w + (push * m.inv_inertia) * torque, w);
     const Four new_x = four(m.x.x) + step.drift * new_v;
     const Four d = new_x - four(particles.reference[i].x);
@@ -50,6 +55,13 @@ Vec3 move_beads(Particles& particles, std::size_t first, std::size_t last, const
   }
   largest += spoiled;
   return {largest[0], largest[1], largest[2]};
+}
+
+}  // namespace
+
+Vec3 move_beads(Particles& particles, std::size_t first, std::size_t last, const Leapfrog& step) {
+  return particles.in_liquid ? move<true>(particles, first, last, step)
+                             : move<false>(particles, first, last, step);
 }
 
 }  // namespace packbed::dem

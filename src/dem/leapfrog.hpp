@@ -3,7 +3,8 @@
 
 /// @file
 /// One step of the beads: v(n + 1/2) = v(n - 1/2) + kick F / m, x(n + 1) = x(n) + drift v(n + 1/2),
-/// spins likewise. A background damping c acts on the mean of old and new velocity.
+/// spins likewise. A background damping c acts on the mean of old and new velocity, the drag of a liquid on
+/// the new one (implicit Euler: stable and monotone however stiff it is).
 
 #include "dem/particles.hpp"
 

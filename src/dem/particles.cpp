@@ -43,7 +43,8 @@ void add(Particles& particles,
          const Motion& motion,
          const Spin& spin,
          const BeadProperties& properties,
-         std::int32_t owner) {
+         std::int32_t owner,
+         const Drag& drag) {
   const auto place = static_cast<std::ptrdiff_t>(particles.size());
   particles.motion.insert(particles.motion.begin() + place, motion);
   particles.spin.insert(particles.spin.begin() + place, spin);
@@ -53,6 +54,7 @@ void add(Particles& particles,
   particles.reference.insert(particles.reference.begin() + place, motion.x);
   particles.properties.push_back(properties);
   particles.owner.push_back(owner);
+  if (particles.in_liquid) particles.drag.push_back(drag);
 }
 
 Particles make_particles(std::span<const BeadStart> beads,
@@ -83,6 +85,13 @@ void reorder(Particles& particles, const std::vector<std::int32_t>& order) {
   permute(particles.reference, order, beads);
   permute(particles.properties, order, beads);
   permute(particles.owner, order, beads);
+  if (particles.in_liquid) permute(particles.drag, order, beads);
+}
+
+void set_in_liquid(bool in_liquid, Particles& particles) {
+  if (in_liquid == particles.in_liquid) return;
+  particles.in_liquid = in_liquid;
+  particles.drag.assign(in_liquid ? particles.size() : 0, Drag{});
 }
 
 }  // namespace packbed::dem

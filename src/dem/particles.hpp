@@ -37,6 +37,13 @@ struct alignas(64) Load {
   double nothing = 0;  ///< stays 0
 };
 
+/// Pull of a liquid on a bead: the force rate (target - v), taken implicitly in v. Forces that do not depend
+/// on v are in the target.
+struct alignas(32) Drag {
+  Vec3 target;        ///< velocity at which it vanishes [m/s]
+  double rate = 0.0;  ///< [kg/s]
+};
+
 /// What a bead is made of; one value per bead.
 struct BeadProperties {
   std::int64_t id = 0;
@@ -53,9 +60,11 @@ struct Particles {
   AlignedVector<Spin> spin{};
   AlignedVector<Load> load{};
   AlignedVector<Vec3> reference{};  ///< centers when pairs were last listed
+  AlignedVector<Drag> drag{};       ///< one per bead in a liquid, else empty; no dummies
   std::vector<BeadProperties> properties{};
   std::vector<std::int32_t> owner{};  ///< rank that owns the bead
   std::int32_t rank = 0;              ///< this one
+  bool in_liquid = false;             ///< whether beads have a drag
 
   [[nodiscard]] bool is_own(std::size_t i) const { return owner[i] == rank; }
   /// Own and halo beads, without the two dummies.
@@ -81,7 +90,11 @@ void add(Particles& particles,
          const Motion& motion,
          const Spin& spin,
          const BeadProperties& properties,
-         std::int32_t owner);
+         std::int32_t owner,
+         const Drag& drag = {});
+
+/// From now on beads have a drag, zero at first; or no longer.
+void set_in_liquid(bool in_liquid, Particles& particles);
 
 /// Puts bead order[k] at place k; beads that `order` does not name are taken away.
 void reorder(Particles& particles, const std::vector<std::int32_t>& order);

@@ -39,7 +39,7 @@ namespace {
 /// What a bead tells of itself.
 struct Row {
   BeadProperties bead;
-  Vec3 x, v, w, force, torque;
+  Vec3 x, v, w, force, torque, drag;
 };
 
 void add(const Row& row, Snapshot& s) {
@@ -49,11 +49,12 @@ void add(const Row& row, Snapshot& s) {
   s.w.push_back(row.w);
   s.force.push_back(row.force);
   s.torque.push_back(row.torque);
+  s.drag.push_back(row.drag);
 }
 
 void reserve(std::size_t beads, Snapshot& s) {
   s.beads.reserve(beads);
-  for (auto* a : {&s.x, &s.v, &s.w, &s.force, &s.torque}) a->reserve(beads);
+  for (auto* a : {&s.x, &s.v, &s.w, &s.force, &s.torque, &s.drag}) a->reserve(beads);
 }
 
 /// Places of the own beads in the order of ids.
@@ -147,13 +148,18 @@ Snapshot Dem::snapshot() const {
     const Vec3 weight{0.0, 0.0, -bead.weight};
     const bool free = m.inv_mass > 0.0;
     const double keep = free ? 1.0 - 0.5 * last_step_ * options_.background_damping : 1.0;
-    const Vec3 v = keep * m.v + (0.5 * last_step_ * m.inv_mass) * (p.load[i].force + weight);
+    const Vec3 force = p.load[i].force + weight;
+    const Drag drag = particles_.in_liquid ? particles_.drag[i] : Drag{};
+    const double moved_by = 0.5 * last_step_ * m.inv_mass;  // half a step, drag implicit
+    const Vec3 v = (1.0 / (1.0 + moved_by * drag.rate)) *
+                   (keep * m.v + moved_by * (force + drag.rate * drag.target));
+    const Vec3 pull = drag.rate * (drag.target - v);
     const Vec3 w = keep * p.spin[i].w + (0.5 * last_step_ * m.inv_inertia) * p.load[i].torque;
     if (free) {
       kinetic.push_back(0.5 * dot(v, v) / m.inv_mass + 0.5 * dot(w, w) / m.inv_inertia);
-      unbalanced.push_back(norm(p.load[i].force + weight));
+      unbalanced.push_back(norm(force + pull));
     }
-    return Row{bead, m.x, v, w, p.load[i].force, p.load[i].torque};
+    return Row{bead, m.x, v, w, p.load[i].force, p.load[i].torque, pull};
   };
   const auto own = own_by_id(particles_);
   if (ranks_.is_first()) reserve(static_cast<std::size_t>(bead_count_), s);

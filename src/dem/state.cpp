@@ -81,7 +81,7 @@ DemState Dem::state() const {
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (!p.is_own(i)) continue;
     s.beads.push_back({p.properties[i], p.motion[i].x, p.motion[i].v, p.spin[i].w, p.reference[i],
-                       far_reference_[i]});
+                       far_reference_[i], p.in_liquid ? p.drag[i] : Drag{}});
   }
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     const auto c = contacts_.pair(k);
@@ -114,7 +114,8 @@ DemState Dem::state() const {
                 .inertia_scale = options_.inertia_scale,
                 .background_damping = options_.background_damping,
                 .friction = options_.model.friction,
-                .rolling_friction = rolling_friction_of(options_.model.rolling)};
+                .rolling_friction = rolling_friction_of(options_.model.rolling),
+                .in_liquid = particles_.in_liquid ? 1 : 0};
   return s;
 }
 
@@ -165,6 +166,7 @@ void Dem::restore_lists(const DemState& all) {
                      true);
   particles_ = make_particles({}, 1.0);
   particles_.rank = ranks_.rank();
+  particles_.in_liquid = all.progress.in_liquid != 0;
   std::vector<const BeadState*> here;
   for (const auto& bead : all.beads) {
     const int owner = partition_.owner(bead.far_reference);
@@ -173,7 +175,7 @@ void Dem::restore_lists(const DemState& all) {
     if (owner != ranks_.rank() && std::ranges::find(near, ranks_.rank()) == near.end()) continue;
     const auto motion = motion_of(bead.properties, bead.far_reference, bead.v);
     add(particles_, motion, {.w = bead.w, .half_radius = 0.25 * bead.properties.diameter},
-        bead.properties, owner);
+        bead.properties, owner, bead.drag);
     here.push_back(&bead);
   }
   const auto order = key_order(particles_, options_.domain, cell_);
@@ -212,11 +214,13 @@ void Dem::start_anew(const DemState& all) {
   partition_ = Partition(options_.domain, cell_, ranks_, options_.mesh);
   particles_ = make_particles({}, 1.0);
   particles_.rank = ranks_.rank();
+  particles_.in_liquid = all.progress.in_liquid != 0;
   renewals_ = 0;  // cuts the rows in any case
   if (ranks_.is_first()) {
     for (const auto& bead : all.beads) {
       add(particles_, motion_of(bead.properties, bead.x, bead.v),
-          {.w = bead.w, .half_radius = 0.25 * bead.properties.diameter}, bead.properties, 0);
+          {.w = bead.w, .half_radius = 0.25 * bead.properties.diameter}, bead.properties, 0,
+          bead.drag);
     }
     const auto places = places_of(particles_);
     auto pairs = placed(all.contacts, places);

@@ -26,6 +26,7 @@ struct BeadState {
   Vec3 w;              ///< likewise [rad/s]
   Vec3 reference;      ///< center when near pairs were last listed [m]
   Vec3 far_reference;  ///< center at the last renewal [m]
+  Drag drag;           ///< of a liquid, if there is one
 };
 
 /// A near pair with springs; signs and image as seen from its first bead, which comes first in the
@@ -63,6 +64,7 @@ struct DemProgress {
   double background_damping = 0.0;  ///< [1/s]
   double friction = 0.0;
   double rolling_friction = 0.0;  ///< 0 where the law has none
+  std::int64_t in_liquid = 0;     ///< whether beads have a drag
 };
 
 struct DemState {

@@ -8,7 +8,7 @@
 ///
 ///     packbed checkpoint
 ///     head    8c5a0d1be1e4bd2f     checksum of the 512 bytes after this line
-///     format  1
+///     format  2
 ///     bytes   123456               length of the file
 ///     xxh3    0123456789abcdef     checksum of the bytes from 512 on
 ///     program packbed 0.1.0

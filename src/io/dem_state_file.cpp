@@ -61,6 +61,7 @@ void visit_progress(Progress& p, Integer integer, Number number) {
   number("background_damping_1_s", p.background_damping);
   number("friction", p.friction);
   number("rolling_friction", p.rolling_friction);
+  integer("in_liquid", p.in_liquid);
 }
 
 // A tube does not move.
@@ -108,6 +109,8 @@ void write_dem_state(CheckpointWriter& writer, const dem::DemState& share) {
   writer.array("dem/w_rad_s", column<Vec3>(beads, [](auto& b) { return b.w; }));
   writer.array("dem/reference_m", column<Vec3>(beads, [](auto& b) { return b.reference; }));
   writer.array("dem/far_reference_m", column<Vec3>(beads, [](auto& b) { return b.far_reference; }));
+  writer.array("dem/drag_target_m_s", column<Vec3>(beads, [](auto& b) { return b.drag.target; }));
+  writer.array("dem/drag_rate_kg_s", column<double>(beads, [](auto& b) { return b.drag.rate; }));
   writer.array("dem/properties", properties_of(beads), property_width);
   writer.array("dem/fixed", column<std::uint8_t>(beads, [](auto& b) -> std::uint8_t {
                  return b.properties.fixed ? 1 : 0;
@@ -160,9 +163,16 @@ dem::DemState read_dem_state(const CheckpointReader& reader, std::vector<dem::Wa
   const auto w = reader.read<Vec3>("dem/w_rad_s");
   const auto reference = reader.read<Vec3>("dem/reference_m");
   const auto far_reference = reader.read<Vec3>("dem/far_reference_m");
+  const auto drag_target = reader.read<Vec3>("dem/drag_target_m_s");
+  const auto drag_rate = reader.read<double>("dem/drag_rate_kg_s");
   for (std::size_t i = 0; i < id.size(); ++i) {
-    s.beads.push_back({properties_from(id[i], &properties[property_width * i], fixed[i] != 0), x[i],
-                       v[i], w[i], reference[i], far_reference[i]});
+    s.beads.push_back({properties_from(id[i], &properties[property_width * i], fixed[i] != 0),
+                       x[i],
+                       v[i],
+                       w[i],
+                       reference[i],
+                       far_reference[i],
+                       {drag_target[i], drag_rate[i]}});
   }
   const auto id_i = reader.read<std::int64_t>("dem/contact_id_i");
   const auto id_j = reader.read<std::int64_t>("dem/contact_id_j");

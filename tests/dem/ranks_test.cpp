@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <cmath>
 #include <cstring>
 #include <memory>
 #include <string>
@@ -57,6 +58,15 @@ Dem bed(int count, const Sharing& sharing, const Ranks& ranks) {
   return {options_of_bed(sharing), cloud(count), {floor_at(0, 0.3)}, ranks};
 }
 
+/// A liquid that pulls on each bead otherwise.
+void put_into_liquid(Dem& dem) {
+  dem.set_in_liquid(true);
+  for (std::size_t i = 0; i < dem.drag().size(); ++i) {
+    const auto id = static_cast<double>(dem.particles().properties[i].id);
+    dem.drag()[i] = {{0.01 * std::sin(id), 0.01 * std::cos(id), 0.0}, 1e-7 * (2.0 + std::sin(id))};
+  }
+}
+
 using Named = std::tuple<std::int64_t, std::int64_t, Image, Vec3, Vec3>;
 
 /// Springs of all contacts of this rank by the ids of their beads.
@@ -97,6 +107,7 @@ int compare(const Dem& shared, const Dem& alone, const Ranks& ranks) {
     expect(same_bits(s.w, t.w), "spins");
     expect(same_bits(s.force, t.force), "forces");
     expect(same_bits(s.torque, t.torque), "torques");
+    expect(same_bits(s.drag, t.drag), "drags");
   }
   expect(same_bits(s.wall_force, t.wall_force), "wall forces");
   expect(s.kinetic_energy == t.kinetic_energy, "kinetic energies");
@@ -128,6 +139,9 @@ int check(int count, std::int64_t steps, const Sharing& sharing) {
     alone.run(steps / 4);
     if (look == 0) {
       for (auto* dem : {&shared, &alone}) dem->scale_diameters(1.01);
+    }
+    if (look == 2) {
+      for (auto* dem : {&shared, &alone}) put_into_liquid(*dem);
     }
     if (look == 1) {  // what one rank leaves all can take over, and the other way round
       const auto state = whole(shared.state(), ranks);

@@ -88,6 +88,27 @@ TEST(DemState, GoesOnWithTheSameBitsFromAnyStep) {
   EXPECT_GT(whole_run.snapshot().coordination_number, 1.0);
 }
 
+TEST(DemState, KeepsTheDragOfALiquid) {
+  auto dem = slice();
+  dem.set_in_liquid(true);
+  for (std::size_t i = 0; i < dem.drag().size(); ++i) {
+    const auto id = static_cast<double>(dem.particles().properties[i].id);
+    dem.drag()[i] = {{1e-3 * id, 0, -0.1}, 1e-6 * (1.0 + id)};
+  }
+  dem.run(1500);
+  for (const auto lists : {Dem::Lists::as_saved, Dem::Lists::anew}) {
+    Dem resumed(options_of_slice(), dem.state(), lists);
+    for (std::size_t i = 0; i < resumed.drag().size(); ++i) {
+      const auto id = static_cast<double>(resumed.particles().properties[i].id);
+      EXPECT_EQ(resumed.drag()[i].target, (Vec3{1e-3 * id, 0, -0.1}));
+    }
+  }
+  Dem resumed(options_of_slice(), dem.state(), Dem::Lists::as_saved);
+  dem.run(700);
+  resumed.run(700);
+  expect_same(dem, resumed);
+}
+
 TEST(DemState, KeepsTheStepSizeAndTheTime) {
   auto dem = slice();
   dem.run(1000);
@@ -113,7 +134,8 @@ TEST(DemState, TakesBeadsAwayAndAddsOthersWithoutDisturbingTheRest) {
                   .v = {},
                   .w = {},
                   .reference = {},
-                  .far_reference = {}};
+                  .far_reference = {},
+                  .drag = {}};
   state.beads.push_back(extra);
   const Dem edited(options_of_slice(), state, Dem::Lists::anew);
 
