@@ -103,6 +103,8 @@ class Dem {
   /// One per bead of particles(), in a liquid; it acts from the next step on and stays with its bead. That
   /// of halo beads is not looked at.
   [[nodiscard]] std::span<Drag> drag() { return particles_.drag; }
+  /// Likewise: centers at the last coupling [m]; may be on another side of a periodic box by now.
+  [[nodiscard]] std::span<Vec3> coupled_at() { return particles_.coupled_at; }
   /// All diameters times `factor`, at constant density: masses, weights, moments of inertia and the
   /// coefficients of all contacts follow; centers, velocities, spins and springs (as lengths and
   /// angles) stay, and so do skin and box. The lists are renewed. All ranks call it. Throws ValueError

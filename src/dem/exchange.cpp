@@ -25,7 +25,8 @@ NamedBead named(const Particles& p, std::size_t i, std::int32_t owner) {
           .spin = p.spin[i],
           .properties = p.properties[i],
           .owner = owner,
-          .drag = p.in_liquid ? p.drag[i] : Drag{}};
+          .drag = p.in_liquid ? p.drag[i] : Drag{},
+          .coupled_at = p.in_liquid ? p.coupled_at[i] : Vec3{}};
 }
 
 }  // namespace
@@ -119,7 +120,8 @@ std::vector<NamedBead> halo(const Particles& own,
 }
 
 void add(Particles& particles, const std::vector<NamedBead>& beads) {
-  for (const auto& b : beads) add(particles, b.motion, b.spin, b.properties, b.owner, b.drag);
+  for (const auto& b : beads)
+    add(particles, b.motion, b.spin, b.properties, b.owner, b.drag, b.coupled_at);
 }
 
 std::vector<Run> own_runs(const Particles& particles) {

@@ -44,7 +44,8 @@ void add(Particles& particles,
          const Spin& spin,
          const BeadProperties& properties,
          std::int32_t owner,
-         const Drag& drag) {
+         const Drag& drag,
+         const Vec3& coupled_at) {
   const auto place = static_cast<std::ptrdiff_t>(particles.size());
   particles.motion.insert(particles.motion.begin() + place, motion);
   particles.spin.insert(particles.spin.begin() + place, spin);
@@ -54,7 +55,9 @@ void add(Particles& particles,
   particles.reference.insert(particles.reference.begin() + place, motion.x);
   particles.properties.push_back(properties);
   particles.owner.push_back(owner);
-  if (particles.in_liquid) particles.drag.push_back(drag);
+  if (!particles.in_liquid) return;
+  particles.drag.push_back(drag);
+  particles.coupled_at.push_back(coupled_at);
 }
 
 Particles make_particles(std::span<const BeadStart> beads,
@@ -85,13 +88,20 @@ void reorder(Particles& particles, const std::vector<std::int32_t>& order) {
   permute(particles.reference, order, beads);
   permute(particles.properties, order, beads);
   permute(particles.owner, order, beads);
-  if (particles.in_liquid) permute(particles.drag, order, beads);
+  if (!particles.in_liquid) return;
+  permute(particles.drag, order, beads);
+  permute(particles.coupled_at, order, beads);
 }
 
 void set_in_liquid(bool in_liquid, Particles& particles) {
   if (in_liquid == particles.in_liquid) return;
   particles.in_liquid = in_liquid;
   particles.drag.assign(in_liquid ? particles.size() : 0, Drag{});
+  particles.coupled_at.clear();
+  if (!in_liquid) return;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    particles.coupled_at.push_back(particles.motion[i].x);
+  }
 }
 
 }  // namespace packbed::dem

@@ -59,8 +59,9 @@ struct Particles {
   AlignedVector<Motion> motion{};
   AlignedVector<Spin> spin{};
   AlignedVector<Load> load{};
-  AlignedVector<Vec3> reference{};  ///< centers when pairs were last listed
-  AlignedVector<Drag> drag{};       ///< one per bead in a liquid, else empty; no dummies
+  AlignedVector<Vec3> reference{};   ///< centers when pairs were last listed
+  AlignedVector<Drag> drag{};        ///< one per bead in a liquid, else empty; no dummies
+  AlignedVector<Vec3> coupled_at{};  ///< likewise: centers at the last coupling with the liquid [m]
   std::vector<BeadProperties> properties{};
   std::vector<std::int32_t> owner{};  ///< rank that owns the bead
   std::int32_t rank = 0;              ///< this one
@@ -91,9 +92,10 @@ void add(Particles& particles,
          const Spin& spin,
          const BeadProperties& properties,
          std::int32_t owner,
-         const Drag& drag = {});
+         const Drag& drag = {},
+         const Vec3& coupled_at = {});
 
-/// From now on beads have a drag, zero at first; or no longer.
+/// From now on beads have a drag, zero at first, and are coupled where they are; or no longer.
 void set_in_liquid(bool in_liquid, Particles& particles);
 
 /// Puts bead order[k] at place k; beads that `order` does not name are taken away.

@@ -81,7 +81,8 @@ DemState Dem::state() const {
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (!p.is_own(i)) continue;
     s.beads.push_back({p.properties[i], p.motion[i].x, p.motion[i].v, p.spin[i].w, p.reference[i],
-                       far_reference_[i], p.in_liquid ? p.drag[i] : Drag{}});
+                       far_reference_[i], p.in_liquid ? p.drag[i] : Drag{},
+                       p.in_liquid ? p.coupled_at[i] : Vec3{}});
   }
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     const auto c = contacts_.pair(k);
@@ -175,7 +176,7 @@ void Dem::restore_lists(const DemState& all) {
     if (owner != ranks_.rank() && std::ranges::find(near, ranks_.rank()) == near.end()) continue;
     const auto motion = motion_of(bead.properties, bead.far_reference, bead.v);
     add(particles_, motion, {.w = bead.w, .half_radius = 0.25 * bead.properties.diameter},
-        bead.properties, owner, bead.drag);
+        bead.properties, owner, bead.drag, bead.coupled_at);
     here.push_back(&bead);
   }
   const auto order = key_order(particles_, options_.domain, cell_);
@@ -220,7 +221,7 @@ void Dem::start_anew(const DemState& all) {
     for (const auto& bead : all.beads) {
       add(particles_, motion_of(bead.properties, bead.x, bead.v),
           {.w = bead.w, .half_radius = 0.25 * bead.properties.diameter}, bead.properties, 0,
-          bead.drag);
+          bead.drag, bead.coupled_at);
     }
     const auto places = places_of(particles_);
     auto pairs = placed(all.contacts, places);

@@ -18,8 +18,7 @@ struct Beetstra {
     const double slow = 10.0 * a / square + square * (1.0 + 1.5 * std::sqrt(a));
     if (reynolds <= 0.0) return slow;
     const double above = 1.0 / alpha_f + 3.0 * a * alpha_f + 8.4 * std::pow(reynolds, -0.343);
-    const double below =
-        1.0 + std::pow(10.0, 3.0 * a) * std::pow(reynolds, -0.5 * (1.0 + 4.0 * a));
+    const double below = 1.0 + std::pow(10.0, 3.0 * a) * std::pow(reynolds, -0.5 * (1.0 + 4.0 * a));
     return slow + 0.413 * reynolds / (24.0 * square) * above / below;
   }
 };

@@ -15,8 +15,8 @@ struct Gidaspow {
 
   double operator()(double solid_fraction, double reynolds) const {
     if (solid_fraction > 0.2) return Ergun{}(solid_fraction, reynolds);
-    const double single = reynolds < 1000.0 ? 1.0 + 0.15 * std::pow(reynolds, 0.687)
-                                            : 0.44 * reynolds / 24.0;
+    const double single =
+        reynolds < 1000.0 ? 1.0 + 0.15 * std::pow(reynolds, 0.687) : 0.44 * reynolds / 24.0;
     return single * std::pow(1.0 - solid_fraction, -3.65);
   }
 };
