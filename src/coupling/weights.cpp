@@ -35,6 +35,7 @@ Weights::Weights(const mesh::ColumnMesh& mesh,
                  const mesh::ColumnShape& shape,
                  const WeightOptions& options)
     : section_(mesh.section(), section_options(mesh.section(), shape, options.reach)),
+      is_empty_y_(section_options(mesh.section(), shape, options.reach).is_empty_y),
       reach_z_(options.reach_z),
       layers_(mesh.layers()),
       cells_per_layer_(mesh.cells_per_layer()),

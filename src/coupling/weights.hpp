@@ -31,6 +31,8 @@ class Weights {
 
   /// Rows for beads at these centers [m]. `mesh` is that of the constructor, perhaps stretched since.
   void set_rows(const mesh::ColumnMesh& mesh, std::span<const Vec3> centers);
+  /// Whether there is one cell in y, which does not count.
+  [[nodiscard]] bool is_empty_y() const { return is_empty_y_; }
   [[nodiscard]] std::size_t rows() const { return layer_first_.size(); }
 
   /// Calls visit(cell of the whole mesh, w_ic) for each cell of row i.
@@ -53,6 +55,7 @@ class Weights {
   void set_layers(const mesh::ColumnMesh& mesh, double z, std::size_t i);
 
   SectionWeights section_;
+  bool is_empty_y_;
   double reach_z_;
   std::int64_t layers_;
   std::int64_t cells_per_layer_;

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// @file
+/// Beads and liquid act on each other, at instants an interval apart. What each gives the other at such an
+/// instant is the same to round-off; text: docs/theory/coupling.md.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "coupling/cell_window.hpp"
+#include "coupling/drag/drag_law.hpp"
+#include "coupling/weights.hpp"
+#include "dem/dem.hpp"
+#include "mesh/cell_partition.hpp"
+#include "mesh/column_mesh.hpp"
+
+namespace packbed::coupling {
+
+/// How the pull of the liquid follows a bead that moves within an interval.
+enum class Scheme {
+  frozen_flux,      ///< the flux of liquid and beads together stays
+  frozen_velocity,  ///< that of the liquid and the pressure gradient stay: the classical scheme
+};
+
+struct CouplingOptions {
+  DragLaw drag = KochHill{};
+  Scheme scheme = Scheme::frozen_flux;
+  double coarse_grain = 1.0;  ///< diameters of a bead of the bed over those of the resin
+  double rho_f = 998.2;       ///< [kg/m3]
+  double mu_f = 1e-3;         ///< [Pa s]
+  WeightOptions widths{};
+  /// The law sees no smaller void fraction. The code of the thesis had 0.40; without: as it is.
+  std::optional<double> min_void_fraction{};
+};
+
+/// What the beads are to the liquid, one value per own cell.
+struct BedFields {
+  std::vector<double> eps{};       ///< void fraction
+  std::vector<double> exchange{};  ///< B = sum w K / V [kg/(m3 s)]
+  std::vector<Vec3> u_solid{};     ///< sum w K v / sum w K [m/s]
+};
+
+/// What the liquid is to the beads, one value per own cell.
+struct LiquidFields {
+  std::span<const Vec3> u{};       ///< interstitial velocity [m/s]
+  std::span<const Vec3> grad_p{};  ///< of the pressure without its hydrostatic part [Pa/m]
+};
+
+/// Extremes of the last instant, of all ranks.
+struct CouplingFigures {
+  double largest_solid_fraction = 0.0;  ///< of a cell
+  double largest_reynolds = 0.0;        ///< of a bead
+};
+
+class Coupling {
+ public:
+  /// Cells belong to ranks by `partition`, beads by the cells of their centers.
+  Coupling(const mesh::ColumnMesh& mesh,
+           const mesh::ColumnShape& shape,
+           const mesh::CellPartition& partition,
+           const CouplingOptions& options,
+           const Ranks& ranks);
+
+  /// Fields of the beads as they are, whose velocity is that since the last pull, `dt` [s] ago (0: they rest).
+  /// All ranks call it. Throws DivergenceError where beads fill a cell.
+  BedFields bed(const dem::Dem& dem, const mesh::ColumnMesh& mesh, double dt);
+
+  /// Sets the drag of the beads, which must not have moved since bed(). All ranks call it.
+  void pull(const LiquidFields& liquid, dem::Dem& dem);
+
+  /// The velocity that Reynolds numbers of the next bed() are taken from: pull() sets it, a resumed run must.
+  void set_velocity(std::span<const Vec3> u);
+
+  [[nodiscard]] const CouplingFigures& figures() const { return figures_; }
+  [[nodiscard]] const CouplingOptions& options() const { return options_; }
+
+ private:
+  void find_beads(const dem::Dem& dem, double dt);
+  void sum_volumes(const mesh::ColumnMesh& mesh);
+  void find_coefficients();
+  [[nodiscard]] double gather(std::size_t row, const std::vector<double>& field) const;
+  [[nodiscard]] Vec3 gather(std::size_t row, const std::vector<Vec3>& field) const;
+
+  /// An own bead at an instant.
+  struct Grain {
+    std::size_t place = 0;  ///< in the arrays of the Dem
+    double volume = 0.0;    ///< [m3]
+    double diameter = 0.0;  ///< [m]
+    Vec3 v;                 ///< mean of the past interval [m/s]
+    double eps = 1.0;       ///< void fraction around it
+    double k = 0.0;         ///< drag coefficient [kg/s]
+  };
+
+  CouplingOptions options_;
+  Ranks ranks_;
+  Weights weights_;
+  CellWindow window_;
+  bool is_empty_y_;
+  std::vector<Grain> grains_{};
+  // Fields of the window.
+  std::vector<double> volume_{};  ///< of the cells [m3]
+  std::vector<double> eps_{};
+  std::vector<double> exchange_{};
+  std::vector<Vec3> u_{};
+  CouplingFigures figures_{};
+};
+
+}  // namespace packbed::coupling
