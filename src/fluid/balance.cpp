@@ -18,13 +18,12 @@ std::vector<double> pushes(const Domain& domain,
                            std::span<const CellBalance> cells,
                            std::span<const Vec3> drive,
                            std::span<const double> q_old,
-                           std::span<const double> q_before,
                            std::span<const Vec3> grad_p) {
   std::vector<double> all(domain.faces());
   const auto& g = domain.geometry;
   for (std::size_t f = 0; f < all.size(); ++f) {
     const auto half = [&](std::size_t c) {
-      return dot(drive[c], g.normal[f]) + cells[c].inertia * q_old[f] + cells[c].lag * q_before[f];
+      return dot(drive[c], g.normal[f]) + cells[c].inertia * q_old[f];
     };
     const auto p = domain.owner(f);
     double push = half(p) * g.d_owner[f];

@@ -12,26 +12,23 @@
 
 namespace packbed::fluid {
 
-/// Of a cell, per its volume and over eps: what the superficial velocity eps u of the cell meets,
-///   resistance (eps u) = drive + inertia (eps u)_old + lag (eps u)_before - grad p.
+/// Of a cell, per its volume and over eps: what its superficial velocity meets,
+///   resistance (eps u) = drive + inertia (eps u)_old - grad p.
 struct CellBalance {
-  double resistance = 0.0;  ///< all of it, with `lag` [Pa s/m2]
+  double resistance = 0.0;  ///< inertia and implicit drag [Pa s/m2]
   double inertia = 0.0;     ///< share of the old velocity [Pa s/m2]
-  double lag = 0.0;         ///< of neighbors, as far as a corrector does not see them [Pa s/m2]
 };
 
 /// flux = conductance (p_owner - p_neighbor + push), at the border less the pressure there: conductances
 /// |S| / (R_P d_P + R_N d_N) of all faces [m3/(s Pa)]. `cells` has the halo.
 std::vector<double> conductances(const Domain& domain, std::span<const CellBalance> cells);
 
-/// The pushes of all faces [Pa]. `drive` [Pa/m] has the halo; `q_old`, `q_before`: normal
-/// superficial velocities of faces at the start of the step and of the last iterate [m/s]; `grad_p` [Pa/m], with
-/// halo, serves faces that lean.
+/// The pushes of all faces [Pa]. `drive` [Pa/m] has the halo; `q_old`: normal superficial velocities of faces at the
+/// start of the step [m/s]; `grad_p` [Pa/m], with halo, serves faces that lean.
 std::vector<double> pushes(const Domain& domain,
                            std::span<const CellBalance> cells,
                            std::span<const Vec3> drive,
                            std::span<const double> q_old,
-                           std::span<const double> q_before,
                            std::span<const Vec3> grad_p);
 
 }  // namespace packbed::fluid

@@ -171,8 +171,11 @@ StepReport Fluid::step(double dt, const Bed& bed, std::optional<double> top) {
   Step s;
   s.dt = dt;
   begin(s, bed, top);
-  predict(s);
-  for (int k = 0; k < options_.correctors; ++k) correct(s);
+  auto force_now = force_;
+  for (int k = 0; k < options_.correctors; ++k) {
+    if (k > 0) force_now = forces(domain_, border_, options_, flow(), face_eps_);
+    correct(s, force_now);
+  }
   finish(s);
   return s.report;
 }
@@ -197,7 +200,7 @@ void Fluid::begin(Step& s, const Bed& bed, std::optional<double> top) {
 void Fluid::set_balance(Step& s) {
   const auto own = domain_.own();
   const double rho = options_.rho_f;
-  s.transport = transport_matrix(domain_, border_, options_, flow(), face_eps_, s.end);
+  s.matrix = transport_matrix(domain_, border_, options_, flow(), face_eps_, s.end);
   s.balance.resize(domain_.cells());
   s.inertia.resize(own);
   s.implicit_drag.resize(own);
@@ -213,58 +216,30 @@ void Fluid::set_balance(Step& s) {
     s.implicit_drag[c] = w * exchange + inflow;
     s.fixed_force[c] = (1.0 - s.end) * force_[c] + (1.0 - w) * drag_[c] +
                        s.implicit_drag[c] * s.bed.u_solid[c] + s.bed.force[c];
-    const double square = eps_[c] * eps_[c];
-    const double lag = s.transport.diagonal[c] / volume;
-    s.balance[c] = {.resistance = (inertia + s.implicit_drag[c] + lag) / square,
-                    .inertia = inertia / (eps_[c] * s.eps_old[c]),
-                    .lag = lag / square};
+    s.matrix.diagonal[c] += volume * (inertia + s.implicit_drag[c]);
+    s.balance[c] = {.resistance = (inertia + s.implicit_drag[c]) / (eps_[c] * eps_[c]),
+                    .inertia = inertia / (eps_[c] * s.eps_old[c])};
   }
   domain_.halo.refresh(s.balance);
   s.conductance = conductances(domain_, s.balance);
 }
 
-void Fluid::predict(Step& s) {
+/// Velocity of own cells that balances momentum with the present pressure, convection and viscous forces
+/// linear about the present iterate, where they are `force`.
+std::vector<Vec3> Fluid::predicted(Step& s, const std::vector<Vec3>& force) {
   const auto own = domain_.own();
-  auto matrix = s.transport;
   std::vector<Vec3> rhs(own);
   std::vector<double> momentum(own);
   for (std::size_t c = 0; c < own; ++c) {
-    const double volume = domain_.part.volume[c];
-    matrix.diagonal[c] += volume * (s.inertia[c] + s.implicit_drag[c]);
-    rhs[c] = volume * (s.end * force_[c] + s.fixed_force[c] - s.implicit_drag[c] * u_[c] -
-                       eps_[c] * grad_p_[c]);
-    momentum[c] = matrix.diagonal[c] * norm(u_[c]);
+    rhs[c] = domain_.part.volume[c] *
+             (s.end * force[c] + s.fixed_force[c] - s.implicit_drag[c] * u_[c] -
+              s.inertia[c] * (u_[c] - s.u_old[c]) - eps_[c] * grad_p_[c]);
+    momentum[c] = s.matrix.diagonal[c] * norm(u_[c]);
   }
-  const auto du = solve_momentum(domain_, momentum_solver_, matrix, rhs, options_,
-                                 norm_of(domain_.ranks, momentum), s.report.momentum);
-  std::vector<Vec3> change(domain_.cells());
-  for (std::size_t c = 0; c < own; ++c) {
-    change[c] = eps_[c] * (u_[c] + du[c]) - s.eps_old[c] * s.u_old[c];
-  }
-  domain_.halo.refresh(change);
-  for (std::size_t f = 0; f < domain_.faces(); ++f) {
-    Vec3 at_face = change[domain_.owner(f)];
-    if (f < domain_.inner()) {
-      const double w = domain_.geometry.owner_weight(f);
-      at_face = w * at_face + (1.0 - w) * change[domain_.neighbor(f)];
-    } else if (border_.kind[f - domain_.inner()] != BorderKind::outlet) {
-      continue;
-    }
-    q_[f] += dot(at_face, domain_.geometry.normal[f]);
-  }
-  set_flux();
-  set_velocity();
-}
-
-/// What drives eps u in cells besides the pressure, for the present iterate [Pa/m].
-std::vector<Vec3> Fluid::drive(const Step& s) {
-  auto all = forces(domain_, border_, options_, flow(), face_eps_);
-  for (std::size_t c = 0; c < all.size(); ++c) {
-    all[c] = (1.0 / eps_[c]) * (s.end * all[c] + s.fixed_force[c]);
-  }
-  all.resize(domain_.cells());
-  domain_.halo.refresh(all);
-  return all;
+  auto u = solve_momentum(domain_, momentum_solver_, s.matrix, rhs, options_,
+                          norm_of(domain_.ranks, momentum), s.report.momentum);
+  for (std::size_t c = 0; c < own; ++c) u[c] += u_[c];
+  return u;
 }
 
 /// Volume per time that must leave each own cell through its faces [m3/s].
@@ -278,57 +253,61 @@ std::vector<double> Fluid::displaced(const Step& s) const {
   return all;
 }
 
-void Fluid::correct(Step& s) {
-  const auto& g = domain_.geometry;
+/// Velocities of faces, relative fluxes and all, as the present pressure has them.
+void Fluid::set_face_velocity(const Step& s) {
   const auto inner = domain_.inner();
-  const auto u_before = u_;
-  s.q_before = q_;
-  const auto driven = drive(s);
-  s.push = pushes(domain_, s.balance, driven, s.q_old, s.q_before, grad_p_);
-
-  // Fluxes of the present pressure, relative to moving faces: rhs is what they lack to close the cells, and
-  // the pressure's share is put back.
-  std::vector<double> rhs(domain_.cells(), 0.0);
-  std::vector<double> gross(domain_.cells(), 0.0);
-  const auto wanted = displaced(s);
-  std::copy(wanted.begin(), wanted.end(), rhs.begin());
   for (std::size_t f = 0; f < domain_.faces(); ++f) {
-    const auto p = domain_.owner(f);
-    const double carried = flux_[f] - g.area[f] * q_[f];
-    if (f < inner) {
-      const auto n = domain_.neighbor(f);
-      const double pushed = s.conductance[f] * s.push[f] + carried;
-      rhs[p] -= pushed;
-      rhs[n] += pushed;
-      const double size = 0.5 * std::abs(pushed + s.conductance[f] * (p_[p] - p_[n]));
-      gross[p] += size;
-      gross[n] += size;
-    } else if (border_.kind[f - inner] == BorderKind::outlet) {
-      const double outside = border_.pressure[f - inner];
-      rhs[p] -= s.conductance[f] * (s.push[f] - outside) + carried;
-      gross[p] += 0.5 * std::abs(s.conductance[f] * (p_[p] - outside + s.push[f]) + carried);
-    } else {
-      rhs[p] -= flux_[f];
-      gross[p] += 0.5 * std::abs(flux_[f]);
-    }
-  }
-  rhs.resize(domain_.own());
-  gross.resize(domain_.own());
-  const double target = options_.pressure_tolerance * norm_of(domain_.ranks, gross);
-  s.report.pressure.push_back(pressure_solver_.solve(domain_, border_, s.conductance, rhs, p_, target,
-                                                     options_.most_iterations));
-  for (std::size_t f = 0; f < domain_.faces(); ++f) {
-    const auto p = domain_.owner(f);
     if (f >= inner && border_.kind[f - inner] != BorderKind::outlet) continue;
     const double other = f < inner ? p_[domain_.neighbor(f)] : border_.pressure[f - inner];
-    q_[f] = s.conductance[f] / g.area[f] * (p_[p] - other + s.push[f]);
+    q_[f] = s.conductance[f] / domain_.geometry.area[f] * (p_[domain_.owner(f)] - other + s.push[f]);
   }
   set_flux();
-  set_velocity();
-  for (std::size_t c = 0; c < domain_.own(); ++c) {
+}
+
+/// What passes each own cell: half the sum of the sizes of its fluxes [m3/s].
+std::vector<double> Fluid::throughflow() const {
+  std::vector<double> all(domain_.cells(), 0.0);
+  for (std::size_t f = 0; f < domain_.faces(); ++f) {
+    const double half = 0.5 * std::abs(flux_[f]);
+    all[domain_.owner(f)] += half;
+    if (f < domain_.inner()) all[domain_.neighbor(f)] += half;
+  }
+  all.resize(domain_.own());
+  return all;
+}
+
+/// Changes the pressure by what closes all cells. The change is what is solved for: where the present
+/// pressure is right, nothing moves, to the last bit.
+void Fluid::solve_pressure(Step& s) {
+  set_face_velocity(s);
+  auto rhs = continuity_errors(s);
+  const auto through = throughflow();
+  const double size = norm_of(domain_.ranks, through);
+  std::vector<double> change(domain_.cells(), 0.0);
+  s.report.pressure.push_back(pressure_solver_.solve(domain_, border_, s.conductance, rhs, size,
+                                                     options_, change));
+  for (std::size_t c = 0; c < domain_.cells(); ++c) p_[c] += change[c];
+  set_face_velocity(s);
+}
+
+/// Predicts velocities, takes the pressure out again, and lets a new one close all cells.
+void Fluid::correct(Step& s, const std::vector<Vec3>& force) {
+  const auto own = domain_.own();
+  auto drive = predicted(s, force);
+  for (std::size_t c = 0; c < own; ++c) {
     const auto& m = s.balance[c];
-    grad_p_[c] = driven[c] + (m.inertia * s.eps_old[c]) * s.u_old[c] +
-                 (m.lag * eps_[c]) * u_before[c] - (m.resistance * eps_[c]) * u_[c];
+    drive[c] = (m.resistance * eps_[c]) * drive[c] - (m.inertia * s.eps_old[c]) * s.u_old[c] +
+               grad_p_[c];
+  }
+  drive.resize(domain_.cells());
+  domain_.halo.refresh(drive);
+  s.push = pushes(domain_, s.balance, drive, s.q_old, grad_p_);
+  solve_pressure(s);
+  set_velocity();
+  for (std::size_t c = 0; c < own; ++c) {
+    const auto& m = s.balance[c];
+    grad_p_[c] = drive[c] + (m.inertia * s.eps_old[c]) * s.u_old[c] -
+                 (m.resistance * eps_[c]) * u_[c];
   }
   domain_.halo.refresh(grad_p_);
   s.report.residual.push_back(norm_of(domain_.ranks, continuity_errors(s)));
@@ -364,13 +343,7 @@ void Fluid::finish(Step& s) {
 
 void Fluid::report(Step& s) const {
   const auto errors = continuity_errors(s);
-  std::vector<double> through(domain_.cells(), 0.0);
-  for (std::size_t f = 0; f < domain_.faces(); ++f) {
-    const double half = 0.5 * std::abs(flux_[f]);
-    through[domain_.owner(f)] += half;
-    if (f < domain_.inner()) through[domain_.neighbor(f)] += half;
-  }
-  through.resize(domain_.own());
+  const auto through = throughflow();
   std::array<double, 3> largest{};
   for (std::size_t c = 0; c < domain_.own(); ++c) {
     largest[0] = std::max(largest[0], std::abs(errors[c]));

@@ -97,12 +97,14 @@ class Fluid {
   [[nodiscard]] Flow flow() const { return {.u = u_, .q = q_, .flux = flux_, .eps = eps_}; }
   void set_flux();
   void begin(Step& s, const Bed& bed, std::optional<double> top);
-  void predict(Step& s);
-  void correct(Step& s);
+  [[nodiscard]] std::vector<Vec3> predicted(Step& s, const std::vector<Vec3>& force);
+  void correct(Step& s, const std::vector<Vec3>& force);
+  void solve_pressure(Step& s);
+  void set_face_velocity(const Step& s);
+  [[nodiscard]] std::vector<double> throughflow() const;
   void finish(Step& s);
   void set_balance(Step& s);
   void set_velocity();
-  [[nodiscard]] std::vector<Vec3> drive(const Step& s);
   [[nodiscard]] std::vector<double> displaced(const Step& s) const;
   [[nodiscard]] std::vector<double> continuity_errors(const Step& s) const;
   void report(Step& s) const;

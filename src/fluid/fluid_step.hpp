@@ -26,12 +26,10 @@ struct Fluid::Step {
   std::vector<double> inertia{};        ///< rho (eps V) / (V dt), own cells [kg/(m3 s)]
   std::vector<double> implicit_drag{};  ///< weight x exchange, and inflow of source; own cells [kg/(m3 s)]
   std::vector<Vec3> fixed_force{};      ///< all that does not change with the iterate; own cells [N/m3]
-  FaceMatrix transport{};
+  FaceMatrix matrix{};                  ///< of a change of velocity [kg/s]
   std::vector<double> conductance{};
 
-  // --- last iterate
-  std::vector<double> q_before{};
-  std::vector<double> push{};
+  std::vector<double> push{};  ///< of the last corrector [Pa]
 
   StepReport report{};
 };

@@ -20,17 +20,15 @@ double mean(const Domain& domain, std::span<const double> values) {
 }
 
 /// Without outlet: takes rounding out of the sum, refuses what is more.
-void close(const Domain& domain, std::vector<double>& rhs) {
-  double largest = 0.0;
-  for (const double r : rhs) largest = std::max(largest, std::abs(r));
-  largest = domain.ranks.max(largest);
+void close(const Domain& domain, std::vector<double>& rhs, double size) {
   const double excess = mean(domain, rhs);
-  // 1e-9: sums of a million cells round to 1e-10 of the largest.
-  if (std::abs(excess) > 1e-9 * largest) {
+  const auto cells = static_cast<double>(domain.mesh.cell_count());
+  // 1e-9: fluxes of a million cells add up to 1e-10 of their size.
+  if (std::abs(excess) * std::sqrt(cells) > 1e-9 * size) {
     throw DivergenceError(fmt::format(
-        "the liquid has no outlet and does not fit: {:.6g} m3/s too much flows in, or is displaced; "
+        "the liquid has no outlet and does not fit: {:.6g} m3/s too much flows in or is displaced; "
         "give a patch a pressure",
-        excess * static_cast<double>(domain.mesh.cell_count())));
+        excess * cells));
   }
   for (double& r : rhs) r -= excess;
 }
@@ -95,15 +93,16 @@ SolveReport PressureSolver::solve(Domain& domain,
                                   const Border& border,
                                   std::span<const double> conductance,
                                   std::vector<double>& rhs,
-                                  std::vector<double>& p,
-                                  double target,
-                                  int most_iterations) {
-  if (!border.has_outlet) close(domain, rhs);
+                                  double size,
+                                  const FluidOptions& options,
+                                  std::vector<double>& p) {
+  if (!border.has_outlet) close(domain, rhs, size);
   const auto matrix = pressure_matrix(domain, border, conductance);
   solver_.set_matrix(matrix);
   if (state_.conductance.empty()) renew(conductance);
   const std::span<double> own(p.data(), domain.own());
-  auto report = solver_.solve(rhs, own, target, most_iterations, "the pressure");
+  const auto report = solver_.solve(rhs, own, options.pressure_tolerance * size,
+                                    options.most_iterations, "the pressure");
   watch(report, conductance);
   if (!border.has_outlet) {
     const double level = mean(domain, own);

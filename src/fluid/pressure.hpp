@@ -11,6 +11,7 @@
 #include "fluid/border.hpp"
 #include "fluid/domain.hpp"
 #include "fluid/linear_solver.hpp"
+#include "fluid/options.hpp"
 
 namespace packbed::fluid {
 
@@ -24,15 +25,16 @@ class PressureSolver {
  public:
   PressureSolver(const Domain& domain, const Border& border);
 
-  /// Solves sum_f conductance (p_P - p_N) = rhs to a residual of `target` [m3/s]. p has all cells, a guess on
-  /// entry; its halo is brought up to date. Without outlet the sum of rhs must vanish, and p gets the mean 0.
+  /// Solves sum_f conductance (p_P - p_N) = rhs for a change of pressure, with its halo, so that the 2-norm of the
+  /// residual is at most the tolerance of `options` times `size` [m3/s]. Without outlet the sum of rhs must vanish,
+  /// and p gets the mean 0.
   SolveReport solve(Domain& domain,
                     const Border& border,
                     std::span<const double> conductance,
                     std::vector<double>& rhs,
-                    std::vector<double>& p,
-                    double target,
-                    int most_iterations);
+                    double size,
+                    const FluidOptions& options,
+                    std::vector<double>& p);
 
   [[nodiscard]] const PreconditionerState& state() const { return state_; }
   /// Makes the preconditioner of a saved run again.
