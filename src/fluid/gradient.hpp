@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// @file
+/// Gradients of a vector field in cells, and a vector field in cells from fluxes through faces.
+
+#include <span>
+#include <vector>
+
+#include "fluid/border.hpp"
+#include "fluid/domain.hpp"
+
+namespace packbed::fluid {
+
+/// Least squares over the faces of each cell, weights 1/distance^2; exact for linear fields. `u` in all cells,
+/// `at_border` at each border face. Halo values are brought up to date.
+std::vector<Tensor> gradient(Domain& domain,
+                             std::span<const Vec3> u,
+                             std::span<const Vec3> at_border);
+
+/// Vector in own cells whose normal parts fit `q`, one per face, best: sum |S| n (n.v - q) = 0. On cells with
+/// parallel sides the mean of opposite faces. `lean`, if not empty, is the gradient of the field, by which
+/// values at face centers are brought to the cell's: then exact for linear fields on any cell.
+std::vector<Vec3> reconstruct(const Domain& domain,
+                              std::span<const double> q,
+                              std::span<const Tensor> lean);
+
+}  // namespace packbed::fluid

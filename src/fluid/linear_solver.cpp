@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fluid/linear_solver.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+#include <petscksp.h>
+
+#include "core/error.hpp"
+#include "fluid/petsc_session.hpp"
+
+namespace packbed::fluid {
+namespace {
+
+// PETSc's own message stands before ours on stderr only if its handler prints; ours returns the code.
+void check(PetscErrorCode code) {
+  if (code == 0) return;
+  const char* text = nullptr;
+  PetscErrorMessage(code, &text, nullptr);
+  throw DivergenceError(fmt::format("PETSc failed with code {}: {}", static_cast<int>(code),
+                                    text != nullptr ? text : "no message"));
+}
+
+/// Rows and columns of the entries of a FaceMatrix in own rows: diagonal, then per inner face those of
+/// owner and neighbor.
+struct Pattern {
+  std::vector<PetscInt> rows, columns;
+};
+
+Pattern pattern(const Domain& domain) {
+  Pattern entries;
+  const auto& cell = domain.part.cell;
+  const auto add = [&](std::size_t row, std::size_t column) {
+    entries.rows.push_back(static_cast<PetscInt>(cell[row]));
+    entries.columns.push_back(static_cast<PetscInt>(cell[column]));
+  };
+  for (std::size_t c = 0; c < domain.own(); ++c) add(c, c);
+  for (std::size_t f = 0; f < domain.inner(); ++f) {
+    const auto p = domain.owner(f);
+    const auto q = domain.neighbor(f);
+    if (domain.is_own(p)) add(p, q);
+    if (domain.is_own(q)) add(q, p);
+  }
+  return entries;
+}
+
+/// One attempt.
+struct Attempt {
+  bool good = false;
+  int iterations = 0;
+  double first = 0.0, last = 0.0;
+  int reason = 0;
+};
+
+std::string told(const char* with, const Attempt& a) {
+  return fmt::format("{}: {} iterations from {:.3e} to {:.3e} (PETSc reason {})", with, a.iterations,
+                     a.first, a.last, a.reason);
+}
+
+}  // namespace
+
+struct LinearSolver::Petsc {
+  Method method;
+  bool constants;
+  MPI_Comm comm = MPI_COMM_NULL;
+  Mat matrix = nullptr;
+  Vec x = nullptr, b = nullptr;
+  KSP solver = nullptr;
+  std::size_t own = 0;
+  std::size_t inner = 0;
+  std::vector<std::pair<bool, bool>> own_sides;  ///< per inner face: owner, neighbor
+  std::vector<double> values;
+  bool built = false;
+
+  ~Petsc() {
+    KSPDestroy(&solver);
+    VecDestroy(&x);
+    VecDestroy(&b);
+    MatDestroy(&matrix);
+  }
+
+  void make_matrix(const Domain& domain);
+  void make_solver(bool plain);
+  Attempt attempt(std::span<const double> rhs, std::span<double> guess, double target, int most);
+};
+
+void LinearSolver::Petsc::make_matrix(const Domain& domain) {
+  own = domain.own();
+  inner = domain.inner();
+  for (std::size_t f = 0; f < inner; ++f) {
+    own_sides.emplace_back(domain.is_own(domain.owner(f)), domain.is_own(domain.neighbor(f)));
+  }
+  comm = domain.ranks.size() > 1 ? PETSC_COMM_WORLD : PETSC_COMM_SELF;
+  const auto rows = static_cast<PetscInt>(own);
+  check(MatCreate(comm, &matrix));
+  check(MatSetSizes(matrix, rows, rows, PETSC_DETERMINE, PETSC_DETERMINE));
+  check(MatSetType(matrix, MATAIJ));
+  auto entries = pattern(domain);
+  values.resize(entries.rows.size());
+  check(MatSetPreallocationCOO(matrix, static_cast<PetscCount>(entries.rows.size()),
+                               entries.rows.data(), entries.columns.data()));
+  if (method == Method::multigrid) check(MatSetOption(matrix, MAT_SPD, PETSC_TRUE));
+  if (constants) {
+    MatNullSpace space = nullptr;
+    check(MatNullSpaceCreate(comm, PETSC_TRUE, 0, nullptr, &space));
+    check(MatSetNullSpace(matrix, space));
+    check(MatNullSpaceDestroy(&space));
+  }
+  check(MatCreateVecs(matrix, &x, &b));
+}
+
+/// Plain: no multigrid, for systems on which that fails.
+void LinearSolver::Petsc::make_solver(bool plain) {
+  check(KSPDestroy(&solver));
+  check(KSPCreate(comm, &solver));
+  const bool symmetric = method == Method::multigrid;
+  check(KSPSetType(solver, symmetric ? KSPCG : KSPBCGS));
+  check(KSPSetNormType(solver, symmetric ? KSP_NORM_UNPRECONDITIONED : KSP_NORM_PRECONDITIONED));
+  PC pc = nullptr;
+  check(KSPGetPC(solver, &pc));
+  if (symmetric && !plain) {
+    check(PCSetType(pc, PCGAMG));
+    check(PCGAMGSetReuseInterpolation(pc, PETSC_FALSE));
+  } else {
+    check(PCSetType(pc, PCJACOBI));
+    if (!symmetric) {
+      check(KSPSetNormType(solver, KSP_NORM_UNPRECONDITIONED));
+      check(KSPSetPCSide(solver, PC_RIGHT));
+    }
+  }
+  check(KSPSetInitialGuessNonzero(solver, PETSC_TRUE));
+  check(KSPSetOperators(solver, matrix, matrix));
+  check(KSPSetReusePreconditioner(solver, PETSC_FALSE));
+}
+
+Attempt LinearSolver::Petsc::attempt(std::span<const double> rhs,
+                                     std::span<double> guess,
+                                     double target,
+                                     int most) {
+  Attempt told;
+  std::vector<double> history(static_cast<std::size_t>(most) + 2);
+  check(KSPSetTolerances(solver, 0.0, target, 1e30, most));
+  check(KSPSetResidualHistory(solver, history.data(), static_cast<PetscInt>(history.size()),
+                              PETSC_TRUE));
+  check(VecPlaceArray(b, rhs.data()));
+  check(VecPlaceArray(x, guess.data()));
+  const auto code = KSPSolve(solver, b, x);
+  check(VecResetArray(x));
+  check(VecResetArray(b));
+  check(code);
+  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+  PetscInt iterations = 0;
+  check(KSPGetConvergedReason(solver, &reason));
+  check(KSPGetIterationNumber(solver, &iterations));
+  check(KSPGetResidualNorm(solver, &told.last));
+  check(KSPSetResidualHistory(solver, nullptr, 0, PETSC_TRUE));
+  told.first = history[0];
+  told.iterations = static_cast<int>(iterations);
+  told.reason = reason;
+  told.good = reason > 0;
+  return told;
+}
+
+LinearSolver::LinearSolver(const Domain& domain, Method method, bool constants) {
+  start_petsc();
+  petsc_ = std::make_unique<Petsc>();
+  petsc_->method = method;
+  petsc_->constants = constants;
+  petsc_->make_matrix(domain);
+}
+
+LinearSolver::~LinearSolver() = default;
+LinearSolver::LinearSolver(LinearSolver&& other) noexcept = default;
+LinearSolver& LinearSolver::operator=(LinearSolver&& other) noexcept = default;
+
+void LinearSolver::set_matrix(const FaceMatrix& matrix) {
+  auto& values = petsc_->values;
+  std::size_t k = 0;
+  for (const double d : matrix.diagonal) values[k++] = d;
+  const auto& lower = matrix.lower.empty() ? matrix.upper : matrix.lower;
+  for (std::size_t f = 0; f < petsc_->inner; ++f) {
+    if (petsc_->own_sides[f].first) values[k++] = matrix.upper[f];
+    if (petsc_->own_sides[f].second) values[k++] = lower[f];
+  }
+  check(MatSetValuesCOO(petsc_->matrix, values.data(), INSERT_VALUES));
+}
+
+void LinearSolver::build_preconditioner() {
+  petsc_->make_solver(false);
+  check(KSPSetUp(petsc_->solver));
+  if (petsc_->method == Method::multigrid) {
+    check(KSPSetReusePreconditioner(petsc_->solver, PETSC_TRUE));
+  }
+  petsc_->built = true;
+}
+
+SolveReport LinearSolver::solve(std::span<const double> b,
+                                std::span<double> x,
+                                double target,
+                                int most_iterations,
+                                const std::string& what) {
+  SolveReport report;
+  if (!petsc_->built) build_preconditioner();
+  const std::vector<double> guess(x.begin(), x.end());
+  std::string history;
+  for (int trial = 0; trial < 3; ++trial) {
+    if (trial == 1) build_preconditioner();
+    if (trial == 2) petsc_->make_solver(true);
+    const auto a =
+        petsc_->attempt(b, x, target, trial < 2 ? most_iterations : 20 * most_iterations);
+    if (trial == 0) report.first_residual = a.first;
+    report.iterations += a.iterations;
+    report.last_residual = a.last;
+    if (a.good) {
+      report.rebuilt = trial;
+      if (trial == 2) petsc_->built = false;
+      return report;
+    }
+    constexpr std::array names = {"preconditioner kept", "preconditioner made anew", "plain"};
+    history += told(names[static_cast<std::size_t>(trial)], a) + (trial < 2 ? "; " : "");
+    std::copy(guess.begin(), guess.end(), x.begin());
+  }
+  throw DivergenceError(fmt::format("the solve for {} does not reach a residual of {:.3e}; {}", what,
+                                    target, history));
+}
+
+std::vector<double> residual(const Domain& domain,
+                             const FaceMatrix& matrix,
+                             std::span<const double> x,
+                             std::span<const double> b) {
+  std::vector<double> r(domain.cells(), 0.0);
+  for (std::size_t c = 0; c < domain.own(); ++c) r[c] = b[c] - matrix.diagonal[c] * x[c];
+  const auto& lower = matrix.lower.empty() ? matrix.upper : matrix.lower;
+  for (std::size_t f = 0; f < domain.inner(); ++f) {
+    const auto p = domain.owner(f);
+    const auto q = domain.neighbor(f);
+    r[p] -= matrix.upper[f] * x[q];
+    r[q] -= lower[f] * x[p];
+  }
+  r.resize(domain.own());
+  return r;
+}
+
+}  // namespace packbed::fluid
