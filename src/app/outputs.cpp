@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "analysis/profile.hpp"
+#include "app/stages.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "io/bead_csv.hpp"
@@ -25,8 +26,13 @@ double ratio(double a, double b) { return b > 0.0 ? a / b : 0.0; }
 
 std::array<double, 3> as_array(const Vec3& a) { return {a.x, a.y, a.z}; }
 
-std::vector<std::string> columns(const dem::Dem& dem, bool has_bed) {
+std::vector<std::string> columns(const dem::Dem& dem, bool has_bed, bool has_liquid) {
   std::vector<std::string> names = {"time_s", "step", "stage"};
+  if (has_liquid) {
+    names.insert(names.end(),
+                 {"superficial_velocity_m_s", "pressure_drop_Pa", "liquid_wall_shear_N",
+                  "continuity_error", "courant", "largest_solid_fraction"});
+  }
   if (has_bed) {
     names.insert(names.end(), {"bed_height_m", "compression", "mean_porosity", "middle_porosity",
                                "floor_force_N", "wall_shear_N", "budget_error"});
@@ -126,8 +132,9 @@ Outputs::Outputs(const setup::Case& c,
                  const Json* saved)
     : case_(c),
       folder_(folder),
-      has_bed_(std::ranges::any_of(dem.walls(), [](const auto& w) { return w.name == "floor"; })) {
-  columns_ = columns(dem, has_bed_);
+      has_bed_(std::ranges::any_of(dem.walls(), [](const auto& w) { return w.name == "floor"; })),
+      has_liquid_(has_flow(c)) {
+  columns_ = columns(dem, has_bed_, has_liquid_);
   if (dem.ranks().is_first() && c.output.beads_csv) {
     std::filesystem::create_directories(folder / "frames");
   }
@@ -139,23 +146,32 @@ Outputs::Outputs(const setup::Case& c,
   if (c.output.frames) frames_.emplace(folder / "frames");
 }
 
-void Outputs::row(const dem::Dem& dem, std::int64_t stage) {
+void Outputs::row(const dem::Dem& dem, const column::CoupledBed* liquid, std::int64_t stage) {
   const auto s = dem.snapshot();
   check_finite(dem, s);
   if (has_bed_) {
     figures_.bed = analysis::bed_figures(analysis::own_beads(dem.particles()),
                                          mesh::cross_section(case_.column.shape), dem.ranks());
   }
-  const auto support = support_of(dem, s);
+  figures_.liquid = liquid != nullptr ? liquid->figures() : column::LiquidFigures{};
+  auto support = support_of(dem, s);
+  support.load += figures_.liquid.pressure_force;
   figures_.kinetic_to_elastic = ratio(s.kinetic_energy, s.elastic_energy);
   figures_.unbalanced_force = ratio(s.mean_unbalanced_force, s.mean_contact_force);
   figures_.max_overlap_ratio = std::max(figures_.max_overlap_ratio, s.max_overlap_ratio);
   figures_.coordination_number = s.coordination_number;
   figures_.budget_error =
-      support.load > 0.0 ? 1.0 - (support.floor + support.shear) / support.load : 0.0;
+      support.load > 0.0
+          ? 1.0 - (support.floor + support.shear + figures_.liquid.wall_shear) / support.load
+          : 0.0;
   if (reference_) write_sections(dem);
   if (series_) {
     std::vector<io::Cell> row = {s.time, dem.steps(), stage};
+    if (has_liquid_) {
+      const auto& l = figures_.liquid;
+      row.insert(row.end(), {l.superficial_velocity, l.pressure_drop, l.wall_shear,
+                             l.continuity_error, l.courant, l.largest_solid_fraction});
+    }
     if (has_bed_) {
       const double h0 = figures_.settled_height;
       const io::Cell compression =

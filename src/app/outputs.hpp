@@ -15,6 +15,7 @@
 #include "analysis/bed_height.hpp"
 #include "analysis/sections.hpp"
 #include "app/frame_writer.hpp"
+#include "column/coupled_bed.hpp"
 #include "dem/dem.hpp"
 #include "io/series.hpp"
 #include "setup/case.hpp"
@@ -27,7 +28,8 @@ struct RowFigures {
   double unbalanced_force = 0.0;   ///< mean unbalanced / mean contact force
   double max_overlap_ratio = 0.0;  ///< largest of all rows
   double coordination_number = 0.0;
-  double budget_error = 0.0;      ///< 1 - (floor force + wall shear) / weight
+  double budget_error = 0.0;  ///< 1 - (floor force + wall shear) / (weight + pressure force)
+  column::LiquidFigures liquid;
   analysis::BedFigures bed;       ///< where there is a floor
   double settled_height = 0.0;    ///< H0, at the end of the last settling; 0 before [m]
   double settled_porosity = 0.0;  ///< of the middle half then
@@ -42,8 +44,8 @@ class Outputs {
           const dem::Dem& dem,
           const nlohmann::ordered_json* saved);
 
-  /// A row of every series; frames too if they are due by time. `stage` from 1, 0 at the start.
-  void row(const dem::Dem& dem, std::int64_t stage);
+  /// A row of every series; frames too if they are due by time. `liquid` where there is a flow. `stage` from 1, 0 at the start.
+  void row(const dem::Dem& dem, const column::CoupledBed* liquid, std::int64_t stage);
   /// What is written at the start and at the end of a stage, after its row.
   void stage_end(const dem::Dem& dem, std::int64_t stage);
   /// The bed as it is now is the settled one: heights and sections are compared with it from now on.
@@ -65,6 +67,7 @@ class Outputs {
   std::filesystem::path folder_;
   std::vector<std::string> columns_;
   bool has_bed_;  ///< a floor
+  bool has_liquid_;
   std::optional<io::SeriesWriter> series_;
   std::optional<io::SeriesWriter> sections_;
   std::optional<FrameWriter> frames_;

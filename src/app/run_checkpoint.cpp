@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "app/liquid_file.hpp"
 #include "core/error.hpp"
 #include "core/version.hpp"
 #include "io/dem_state_file.hpp"
@@ -71,6 +72,7 @@ void check_origin(const Json& run, const setup::Case& c, const fs::path& file) {
 fs::path write_checkpoint(const setup::Case& c,
                           const fs::path& folder,
                           const dem::Dem& dem,
+                          const column::CoupledBed* liquid,
                           const RunState& state,
                           int keep) {
   const auto place = folder_of_checkpoints(folder);
@@ -80,6 +82,7 @@ fs::path write_checkpoint(const setup::Case& c,
                     {"outputs", state.outputs}, {"warnings", state.warnings}};
   writer.text("run", run.dump(-1, ' ', false, Json::error_handler_t::replace));
   io::write_dem_state(writer, dem.state());
+  if (liquid != nullptr) write_fluid_state(writer, liquid->save());
   const auto file = writer.commit();
   if (dem.ranks().is_first()) io::prune_checkpoints(place, static_cast<std::size_t>(keep));
   return file;
@@ -95,12 +98,14 @@ LoadedCheckpoint read_checkpoint(const setup::Case& c, const fs::path& folder) {
   const io::CheckpointReader reader(*file, Ranks::all());
   const auto run = Json::parse(reader.text("run"));
   check_origin(run, c, *file);
-  return {.file = *file,
-          .beads = io::read_dem_state(reader, setup::make_walls(c)),
-          .state = {.stage = run.at("stage"),
-                    .stage_state = run.at("stage_state"),
-                    .outputs = run.at("outputs"),
-                    .warnings = run.at("warnings").get<std::vector<std::string>>()}};
+  return {
+      .file = *file,
+      .beads = io::read_dem_state(reader, setup::make_walls(c)),
+      .liquid = has_fluid_state(reader) ? std::optional(read_fluid_state(reader)) : std::nullopt,
+      .state = {.stage = run.at("stage"),
+                .stage_state = run.at("stage_state"),
+                .outputs = run.at("outputs"),
+                .warnings = run.at("warnings").get<std::vector<std::string>>()}};
 }
 
 }  // namespace packbed::app

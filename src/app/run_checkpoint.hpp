@@ -6,11 +6,13 @@
 /// they belong to.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "column/coupled_bed.hpp"
 #include "dem/dem.hpp"
 #include "setup/case.hpp"
 
@@ -29,12 +31,14 @@ struct RunState {
 std::filesystem::path write_checkpoint(const setup::Case& c,
                                        const std::filesystem::path& folder,
                                        const dem::Dem& dem,
+                                       const column::CoupledBed* liquid,
                                        const RunState& state,
                                        int keep);
 
 struct LoadedCheckpoint {
   std::filesystem::path file;
-  dem::DemState beads;  ///< of all ranks
+  dem::DemState beads;                      ///< of all ranks
+  std::optional<fluid::FluidState> liquid;  ///< likewise, where there is a flow
   RunState state;
 };
 

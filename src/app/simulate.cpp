@@ -2,6 +2,7 @@
 #include "app/simulate.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 
 #include <fmt/format.h>
@@ -15,6 +16,7 @@
 #include "core/version.hpp"
 #include "dem/inertia_scale.hpp"
 #include "setup/make_dem.hpp"
+#include "setup/make_liquid.hpp"
 
 namespace packbed::app {
 namespace {
@@ -82,7 +84,7 @@ class Simulation {
         choice_.stable_in_a_bed));
     outputs_.emplace(c_, folder_, *dem_, nullptr);
     progress_.emplace(0);
-    outputs_->row(*dem_, 0);
+    outputs_->row(*dem_, nullptr, 0);
     outputs_->stage_end(*dem_, 0);
   }
 
@@ -91,6 +93,10 @@ class Simulation {
     now_ = saved.state;
     dem_.emplace(setup::options_of(c_, choice_.step), saved.beads, dem::Dem::Lists::as_saved,
                  Ranks::all());
+    if (saved.liquid) {
+      liquid_ = make_liquid();
+      liquid_->load(*saved.liquid, *dem_);
+    }
     outputs_.emplace(c_, folder_, *dem_, &now_.outputs);
     progress_.emplace(dem_->steps());
     for (std::int64_t k = 0; k < now_.stage; ++k) {
@@ -101,7 +107,8 @@ class Simulation {
   }
 
   void carry_out_stage() {
-    const auto stage = make_stage(c_, now_.stage, choice_);
+    enter_or_leave_liquid();
+    const auto stage = make_stage(c_, now_.stage, choice_, liquid_.get());
     if (now_.stage_state.is_null()) {
       stage->begin(*dem_);
     } else {
@@ -109,7 +116,7 @@ class Simulation {
     }
     for (auto after = column::After::goes_on; after != column::After::end;) {
       after = stage->advance(*dem_);
-      if (after != column::After::goes_on) outputs_->row(*dem_, now_.stage + 1);
+      if (after != column::After::goes_on) outputs_->row(*dem_, liquid_.get(), now_.stage + 1);
       show_progress(*stage);
       if (after != column::After::end) answer_clock_and_signals(*stage);
     }
@@ -119,6 +126,24 @@ class Simulation {
     judge_inertia(stage->name());
     now_.stage_state = nullptr;
     checkpoint(now_.stage + 1);
+  }
+
+  // Stages without a flow know no liquid but its weight, and move beads with their own inertia.
+  void enter_or_leave_liquid() {
+    if (has_flow(c_, now_.stage)) {
+      if (!liquid_) liquid_ = make_liquid();
+      return;
+    }
+    if (!dem_->particles().in_liquid) return;
+    liquid_.reset();
+    dem_->set_in_liquid(false);
+    dem_->set_inertia_scale(c_.numerics.inertia_scale.value_or(1.0));
+    dem_->set_step(choice_.step);
+  }
+
+  [[nodiscard]] std::unique_ptr<column::CoupledBed> make_liquid() const {
+    return std::unique_ptr<column::CoupledBed>(
+        new column::CoupledBed(setup::make_coupled_bed(c_, Ranks::all())));
   }
 
   // Whether the beads still move as if their inertia did not count.
@@ -165,7 +190,7 @@ class Simulation {
     state.stage = stage;
     state.outputs = outputs_->save();
     const int keep = stage == stages_ ? 1 : 2;
-    auto file = write_checkpoint(c_, folder_, *dem_, state, keep);
+    auto file = write_checkpoint(c_, folder_, *dem_, liquid_.get(), state, keep);
     saved_ = Clock::now();
     return file;
   }
@@ -180,6 +205,7 @@ class Simulation {
   Clock::time_point start_ = Clock::now();
   Clock::time_point saved_ = start_;
   std::optional<dem::Dem> dem_;
+  std::unique_ptr<column::CoupledBed> liquid_;  ///< where there is a flow
   std::optional<Outputs> outputs_;
   std::optional<Progress> progress_;
   RunState now_;

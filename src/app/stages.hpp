@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "column/coupled_bed.hpp"
 #include "column/protocol/stage.hpp"
 #include "dem/step_choice.hpp"
 #include "setup/case.hpp"
@@ -19,10 +20,16 @@ std::int64_t stage_count(const setup::Case& c);
 /// Step of the protocol that stage k is, from 0.
 const setup::ProtocolStep& protocol_step(const setup::Case& c, std::int64_t k);
 
-/// Stage k, not begun. `step` as setup::step_of says.
+/// Whether any stage has a flow of liquid.
+bool has_flow(const setup::Case& c);
+/// Whether stage k has.
+bool has_flow(const setup::Case& c, std::int64_t k);
+
+/// Stage k, not begun. `step` as setup::step_of says; `liquid` where there is a flow, else not looked at.
 std::unique_ptr<column::Stage> make_stage(const setup::Case& c,
                                           std::int64_t k,
-                                          const dem::StepChoice& step);
+                                          const dem::StepChoice& step,
+                                          column::CoupledBed* liquid);
 
 /// Time steps of all stages, those of settling as they are on the average; a double, as there may be
 /// any number. For progress lines.

@@ -134,6 +134,8 @@ class Dem {
   [[nodiscard]] std::int64_t bead_count() const { return bead_count_; }  ///< of all ranks
   [[nodiscard]] std::int64_t repartitions() const { return repartitions_; }
   [[nodiscard]] const Ranks& ranks() const { return ranks_; }
+  /// Which rank owns which cell of DemOptions::mesh, or which row.
+  [[nodiscard]] const mesh::CellPartition& partition() const { return partition_.runs(); }
   [[nodiscard]] const ContactList& contacts() const { return contacts_; }
   [[nodiscard]] std::vector<Wall>& walls() { return walls_; }
   [[nodiscard]] const std::vector<Wall>& walls() const { return walls_; }

@@ -61,6 +61,11 @@ class Fluid {
   /// One step of dt [s]; `bed` at its end. `top`: z of the upper end of the mesh then, if it moves.
   StepReport step(double dt, const Bed& bed, std::optional<double> top = {});
 
+  /// Velocity at the inlet from now on. The inlet must be an Inlet.
+  void set_inlet(const FlowProgram& superficial) {
+    std::get<Inlet>(options_.boundaries.inlet).superficial = superficial;
+  }
+
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] const Domain& domain() const { return domain_; }
   [[nodiscard]] const Border& border() const { return border_; }
@@ -78,6 +83,10 @@ class Fluid {
   [[nodiscard]] const std::vector<Vec3>& force() const { return force_; }
   /// Dynamic pressure at border faces [Pa].
   [[nodiscard]] const std::vector<double>& border_pressure() const { return border_p_; }
+  /// Force with which the liquid drags at border face b, along the face [N].
+  [[nodiscard]] Vec3 wall_force(std::size_t b) const {
+    return wall_shear(domain_, border_, options_, flow(), face_eps_, b);
+  }
   /// Normal superficial velocity (eps u).n of faces [m/s].
   [[nodiscard]] const std::vector<double>& q() const { return q_; }
   /// Volume flux relative to the face: |S| (q - eps_f w) on faces that move with w [m3/s].

@@ -44,6 +44,8 @@ class CellPartition {
   /// Cuts anew if the imbalance exceeds `tolerance`; whether it did.
   bool balance(std::span<const std::int64_t> weights, double tolerance);
 
+  bool operator==(const CellPartition&) const = default;
+
  private:
   std::vector<std::int64_t> cut_;  ///< first cell of each rank, and the end
 };

@@ -44,7 +44,7 @@ std::int64_t add_beads(
   auto state = state_of(dem);
   for (std::size_t k = 0; k < beads.size(); ++k) {
     const auto& x = cloud.x[k];
-    state.beads.push_back({beads[k], x, {}, {}, x, x});
+    state.beads.push_back({beads[k], x, {}, {}, x, x, {}, {}});
   }
   take_over(state, dem);
   return next_id;
@@ -80,7 +80,7 @@ void make_new_cloud(const SettleOptions& options, std::uint64_t number, dem::Dem
                                      diameters);
   for (std::size_t k = 0; k < state.beads.size(); ++k) {
     auto& bead = state.beads[k];
-    bead = {bead.properties, cloud.x[k], {}, {}, cloud.x[k], cloud.x[k]};
+    bead = {bead.properties, cloud.x[k], {}, {}, cloud.x[k], cloud.x[k], {}, {}};
   }
   state.contacts.clear();
   state.wall_contacts.clear();

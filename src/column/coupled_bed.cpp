@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "column/coupled_bed.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "core/exact_sum.hpp"
+
+namespace packbed::column {
+namespace {
+
+fluid::Bed to_bed(coupling::BedFields fields) {
+  fluid::Bed bed;
+  bed.eps = std::move(fields.eps);
+  bed.exchange = std::move(fields.exchange);
+  bed.u_solid = std::move(fields.u_solid);
+  return bed;
+}
+
+}  // namespace
+
+CoupledBed::CoupledBed(const mesh::ColumnMesh& mesh,
+                       const mesh::ColumnShape& shape,
+                       const CoupledOptions& options,
+                       const Ranks& ranks)
+    : mesh_(mesh),
+      shape_(shape),
+      options_(options),
+      ranks_(ranks),
+      partition_(mesh.cell_count(), ranks.size()),
+      fluid_(options.fluid, mesh, partition_, ranks) {
+  coupling_.emplace(mesh_, shape_, partition_, options_.coupling, ranks_);
+}
+
+// Beads and cells belong to the same ranks: the liquid follows when beads are shared anew.
+void CoupledBed::share_like(const dem::Dem& dem) {
+  if (ranks_.size() == 1 || dem.partition() == partition_) return;
+  fluid_.repartition(partition_, dem.partition());
+  partition_ = dem.partition();
+  coupling_.emplace(mesh_, shape_, partition_, options_.coupling, ranks_);
+  coupling_->set_velocity(fields().u);
+}
+
+coupling::LiquidFields CoupledBed::fields() const {
+  const auto own = fluid_.domain().own();
+  return {.u = std::span(fluid_.u()).first(own),
+          .grad_p = std::span(fluid_.pressure_gradient()).first(own)};
+}
+
+void CoupledBed::start(dem::Dem& dem) {
+  dem.set_in_liquid(true);
+  share_like(dem);
+  const std::vector<Vec3> rest(fluid_.domain().own());
+  fluid_.start(to_bed(coupling_->bed(dem, mesh_, 0.0)), rest, fluid_.time());
+  coupling_->pull(fields(), dem);
+}
+
+void CoupledBed::advance(dem::Dem& dem, std::int64_t count) {
+  const double dt = static_cast<double>(count) * dem.options().step;
+  dem.run(count);
+  share_like(dem);
+  report_ = fluid_.step(dt, to_bed(coupling_->bed(dem, mesh_, dt)));
+  coupling_->pull(fields(), dem);
+}
+
+void CoupledBed::load(const fluid::FluidState& state, const dem::Dem& dem) {
+  share_like(dem);
+  fluid_.load(state);
+  coupling_->set_velocity(fields().u);
+}
+
+LiquidFigures CoupledBed::figures() const {
+  const auto& d = fluid_.domain();
+  const auto& border = fluid_.border();
+  // Area, p A, and flux at the inlet, the same at the outlet; shear of the walls.
+  std::array<std::vector<double>, 7> terms;
+  for (std::size_t b = 0; b < border.size(); ++b) {
+    const std::size_t f = d.inner() + b;
+    if (!d.is_own(d.owner(f))) continue;
+    const double area = d.geometry.area[f];
+    if (border.kind[b] == fluid::BorderKind::wall) {
+      terms[6].push_back(-fluid_.wall_force(b).z);
+      continue;
+    }
+    const bool is_inlet = border.patch[b] == mesh::Patch::inlet;
+    if (!is_inlet && border.patch[b] != mesh::Patch::outlet) continue;
+    const std::size_t first = is_inlet ? 0 : 3;
+    terms[first].push_back(area);
+    terms[first + 1].push_back(area * fluid_.border_pressure()[b]);
+    terms[first + 2].push_back(fluid_.flux()[f]);
+  }
+  std::array<double, 7> sums{};
+  for (std::size_t k = 0; k < 7; ++k) sums[k] = order_independent_sum(terms[k], ranks_);
+  const double p_in = sums[0] > 0.0 ? sums[1] / sums[0] : 0.0;
+  const double p_out = sums[3] > 0.0 ? sums[4] / sums[3] : 0.0;
+  return {.superficial_velocity = sums[0] > 0.0 ? -sums[2] / sums[0] : 0.0,
+          .pressure_drop = p_in - p_out,
+          .pressure_force = sums[1] - sums[4],
+          .wall_shear = sums[6],
+          .continuity_error = report_.continuity_error,
+          .courant = report_.courant,
+          .largest_solid_fraction = coupling_->figures().largest_solid_fraction,
+          .largest_reynolds = coupling_->figures().largest_reynolds};
+}
+
+}  // namespace packbed::column

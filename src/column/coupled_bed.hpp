@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// @file
+/// A bed in the liquid that flows through it: beads and liquid stepped side by side, with an exchange at the
+/// end of every interval. Text: docs/theory/coupling.md.
+
+#include <cstdint>
+#include <optional>
+
+#include "coupling/coupling.hpp"
+#include "dem/dem.hpp"
+#include "fluid/fluid.hpp"
+#include "mesh/column_mesh.hpp"
+
+namespace packbed::column {
+
+struct CoupledOptions {
+  fluid::FluidOptions fluid{};
+  coupling::CouplingOptions coupling{};
+};
+
+/// Figures of the liquid at the end of an interval, of all ranks.
+struct LiquidFigures {
+  double superficial_velocity = 0.0;  ///< downwards, through the inlet [m/s]
+  double pressure_drop = 0.0;         ///< inlet less outlet, without the hydrostatic part [Pa]
+  double pressure_force = 0.0;  ///< on the whole content, downwards: sum of p n over both ends [N]
+  double wall_shear = 0.0;      ///< of the liquid on the walls, downwards [N]
+  double continuity_error = 0.0;
+  double courant = 0.0;
+  double largest_solid_fraction = 0.0;  ///< of a cell
+  double largest_reynolds = 0.0;        ///< of a bead
+};
+
+class CoupledBed {
+ public:
+  /// The liquid at rest; no bead feels it yet. All ranks make theirs at once.
+  CoupledBed(const mesh::ColumnMesh& mesh,
+             const mesh::ColumnShape& shape,
+             const CoupledOptions& options,
+             const Ranks& ranks);
+
+  /// Puts the beads in, at rest like the liquid. All ranks call it.
+  void start(dem::Dem& dem);
+  /// The velocity at the inlet from now on; times are those of time().
+  void set_flow(const fluid::FlowProgram& flow) { fluid_.set_inlet(flow); }
+
+  /// An interval: `count` time steps of the beads, as long a step of the liquid, and the exchange.
+  void advance(dem::Dem& dem, std::int64_t count);
+
+  [[nodiscard]] double time() const { return fluid_.time(); }  ///< of the liquid [s]
+  [[nodiscard]] LiquidFigures figures() const;
+  [[nodiscard]] const fluid::Fluid& fluid() const { return fluid_; }
+
+  [[nodiscard]] fluid::FluidState save() const { return fluid_.save(); }
+  /// For a resumed run; the beads have their drag from their own state.
+  void load(const fluid::FluidState& state, const dem::Dem& dem);
+
+ private:
+  void share_like(const dem::Dem& dem);
+  [[nodiscard]] coupling::LiquidFields fields() const;
+
+  mesh::ColumnMesh mesh_;
+  mesh::ColumnShape shape_;
+  CoupledOptions options_;
+  Ranks ranks_;
+  mesh::CellPartition partition_;
+  fluid::Fluid fluid_;
+  std::optional<coupling::Coupling> coupling_;  ///< of the present partition
+  fluid::StepReport report_{};
+};
+
+}  // namespace packbed::column

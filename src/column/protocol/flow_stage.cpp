@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "column/protocol/flow_stage.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "column/protocol/bed_look.hpp"
+#include "dem/inertia_scale.hpp"
+
+namespace packbed::column {
+namespace {
+
+constexpr double look_every = 0.1;  // between looks at how steady a plateau is [s]
+constexpr double usual_ramp = 0.1;  // to a plateau that is held until steady [s]
+constexpr double ramp_share = 0.5;  // of a plateau that is held for a time
+constexpr double cm_h = 0.01 / 3600.0;
+
+/// Names and values of the state, in one place for both directions.
+template <class State, class Visit>
+void visit(State& s, Visit value) {
+  value("plateau", s.plateau);
+  value("started", s.started);
+  value("window_started", s.window_started);
+  value("height", s.height);
+  value("pressure_drop", s.pressure_drop);
+  value("next_output", s.next_output);
+  value("unsteady", s.unsteady);
+  value("inertia_scale", s.inertia_scale);
+}
+
+}  // namespace
+
+FlowStage::FlowStage(const FlowOptions& options, CoupledBed& liquid)
+    : options_(options), liquid_(liquid) {}
+
+// Plateau -1 is what the stage comes from.
+double FlowStage::velocity(std::int64_t plateau) const {
+  const double share = static_cast<double>(plateau + 1) / static_cast<double>(options_.steps);
+  return options_.from + share * (options_.to - options_.from);
+}
+
+double FlowStage::ramp_time() const {
+  if (!options_.ramps) return 0.0;
+  return options_.hold ? ramp_share * *options_.hold : std::min(usual_ramp, options_.hold_limit);
+}
+
+void FlowStage::begin(dem::Dem& dem) {
+  state_.inertia_scale = options_.inertia_scale.value_or(chosen_inertia_scale(dem));
+  dem.set_inertia_scale(state_.inertia_scale);
+  if (!dem.particles().in_liquid) liquid_.start(dem);
+  state_.next_output = dem.time() + options_.interval;
+  start_plateau();
+}
+
+// As far as a bed in a flow allows: overdamped in its lowest mode, loose beads fast against the flow.
+double FlowStage::chosen_inertia_scale(const dem::Dem& dem) const {
+  const auto& g = options_.grains;
+  const auto bed = look_at_bed(dem, options_.area);
+  const auto rest = rest_of(dem);
+  if (bed.height <= 0.0 || rest.coordination <= 0.0) return 1.0;
+  const double phi = 1.0 - bed.porosity;
+  return dem::dragged_inertia_scale(
+             {.drag_rate =
+                  dem::kozeny_carman_drag_rate(phi, g.viscosity, g.bead_diameter, g.density),
+              .height = bed.height,
+              .modulus = dem::estimated_modulus(rest.coordination, phi, g.stiffness, g.diameter),
+              .bulk_density = phi * g.density,
+              .loose_drag_time =
+                  g.density * g.bead_diameter * g.bead_diameter / (18.0 * g.viscosity),
+              .flow_step = options_.hold.value_or(look_every)})
+      .scale;
+}
+
+void FlowStage::start_plateau() {
+  state_.started = liquid_.time();
+  state_.window_started = state_.started;
+  state_.height = 0.0;
+  set_flow();
+}
+
+void FlowStage::set_flow() {
+  const double before = velocity(state_.plateau - 1);
+  const double after = velocity(state_.plateau);
+  const double time = ramp_time();
+  if (time > 0.0) {
+    liquid_.set_flow(
+        fluid::FlowProgram::through({{state_.started, before}, {state_.started + time, after}}));
+  } else {
+    liquid_.set_flow(fluid::FlowProgram::steady(after));
+  }
+}
+
+// An interval holds a whole number of steps of the beads, and ends where a plateau ends.
+After FlowStage::advance(dem::Dem& dem) {
+  auto stepping = options_.stepping;
+  stepping.longest_step *= std::sqrt(state_.inertia_scale);
+  choose_step(stepping, dem);
+  double interval = options_.coupling_interval;
+  if (options_.hold) {
+    const double left = state_.started + *options_.hold - liquid_.time();
+    interval = left / std::max(1.0, std::ceil(left / interval - 1e-9));
+  }
+  const auto count = std::max<std::int64_t>(
+      1, static_cast<std::int64_t>(std::ceil(interval / dem.options().step - 1e-9)));
+  dem.set_step(interval / static_cast<double>(count));
+  liquid_.advance(dem, count);
+  dem.check_overlaps();
+  if (!plateau_is_over(dem)) {
+    return output_is_due(dem.time(), options_.interval, state_.next_output) ? After::output
+                                                                            : After::goes_on;
+  }
+  ++state_.plateau;
+  if (state_.plateau >= options_.steps) return After::end;
+  start_plateau();
+  return After::output;
+}
+
+bool FlowStage::plateau_is_over(const dem::Dem& dem) {
+  const double past = liquid_.time() - state_.started;
+  const double limit = options_.hold.value_or(options_.hold_limit);
+  const bool is_late = past >= limit * (1.0 - 1e-9);
+  const bool may_look = liquid_.time() - state_.window_started >= look_every * (1.0 - 1e-9);
+  const bool is_steady = may_look && past > ramp_time() && looks_steady(dem);
+  if (is_late && !is_steady) ++state_.unsteady;
+  return is_late || (is_steady && !options_.hold);
+}
+
+// Compares with the last look.
+bool FlowStage::looks_steady(const dem::Dem& dem) {
+  const double time = liquid_.time() - state_.window_started;
+  const double height = look_at_bed(dem, options_.area).height;
+  const double drop = liquid_.figures().pressure_drop;
+  const bool had_look = state_.height > 0.0;
+  const bool is_steady =
+      had_look && std::abs(height - state_.height) < steady_height_rate * time * height &&
+      std::abs(drop - state_.pressure_drop) <= steady_rate * time * std::abs(drop);
+  state_.height = height;
+  state_.pressure_drop = drop;
+  state_.window_started = liquid_.time();
+  return is_steady;
+}
+
+double FlowStage::share_done(const dem::Dem& /*dem*/) const {
+  const double limit = options_.hold.value_or(options_.hold_limit);
+  const double here = std::clamp((liquid_.time() - state_.started) / limit, 0.0, 1.0);
+  return std::min(
+      1.0, (static_cast<double>(state_.plateau) + here) / static_cast<double>(options_.steps));
+}
+
+std::string FlowStage::doing() const {
+  const auto plateau = std::min(state_.plateau, options_.steps - 1);
+  return fmt::format("{:.4g} cm/h, {} of {}", velocity(plateau) / cm_h, plateau + 1,
+                     options_.steps);
+}
+
+std::string FlowStage::result(const dem::Dem& dem) const {
+  const auto f = liquid_.figures();
+  const double height = look_at_bed(dem, options_.area).height;
+  auto text = fmt::format(
+      "{:.4g} cm/h, pressure drop {:.5g} bar ({:.4g} bar/m), bed height {:.4f} mm, inertia scale "
+      "{:.4g}",
+      f.superficial_velocity / cm_h, 1e-5 * f.pressure_drop,
+      height > 0.0 ? 1e-5 * f.pressure_drop / height : 0.0, 1e3 * height, state_.inertia_scale);
+  if (state_.unsteady > 0) {
+    text += fmt::format("; {} of {} plateaus were not steady at their end", state_.unsteady,
+                        options_.steps);
+  }
+  return text;
+}
+
+nlohmann::ordered_json FlowStage::save() const {
+  nlohmann::ordered_json saved;
+  visit(state_, [&](const char* key, const auto& value) { saved[key] = value; });
+  return saved;
+}
+
+void FlowStage::load(const nlohmann::ordered_json& saved) {
+  visit(state_, [&](const char* key, auto& value) { saved.at(key).get_to(value); });
+  set_flow();
+}
+
+}  // namespace packbed::column

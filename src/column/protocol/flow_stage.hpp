@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "column/coupled_bed.hpp"
+#include "column/protocol/stage.hpp"
+#include "column/protocol/stepping.hpp"
+
+namespace packbed::column {
+
+/// A flow that goes from one velocity to another in equal steps, or stays as it is.
+struct FlowOptions {
+  std::string name = "flow_ramp";       ///< of the protocol step
+  double from = 0.0;                    ///< superficial velocity, downwards [m/s]
+  double to = 0.0;                      ///< [m/s]
+  std::int64_t steps = 1;               ///< plateaus
+  std::optional<double> hold;           ///< time of each [s]; none: until steady
+  double hold_limit = 0.0;              ///< longest time of a plateau [s]
+  bool ramps = true;                    ///< to the next plateau in a linear ramp; else in a jump
+  double interval = 0.0;                ///< between rows of the outputs [s]
+  double area = 0.0;                    ///< cross-section of the bed [m2]
+  double coupling_interval = 0.0;       ///< longest time between exchanges of beads and liquid [s]
+  std::optional<double> inertia_scale;  ///< none: as far as the rule for beds in a flow goes
+  SteppingOptions stepping{};           ///< at an inertia scale of 1
+  /// What the rule asks for besides the bed itself.
+  struct Grains {
+    double viscosity = 0.0;      ///< of the liquid [Pa s]
+    double density = 0.0;        ///< of the beads [kg/m3]
+    double bead_diameter = 0.0;  ///< Sauter mean of the beads that grains stand for [m]
+    double diameter = 0.0;       ///< mean, of the grains [m]
+    double stiffness = 0.0;      ///< of a contact of two of them [N/m]
+  };
+  Grains grains{};
+};
+
+/// All that a flow stage remembers.
+struct FlowState {
+  std::int64_t plateau = 0;     ///< that is under way, from 0
+  double started = 0.0;         ///< when it began [s]
+  double window_started = 0.0;  ///< the last look at how steady it is [s]
+  double height = 0.0;          ///< of the bed then [m]
+  double pressure_drop = 0.0;   ///< then [Pa]
+  double next_output = 0.0;     ///< [s]
+  std::int64_t unsteady = 0;    ///< plateaus that were not steady when their time was over
+  double inertia_scale = 1.0;
+};
+
+/// The steps "flow_ramp" and "hold": an interval of coupling per slice. A plateau is steady when bed height
+/// and pressure drop change more slowly than `steady_rate`.
+class FlowStage : public Stage {
+ public:
+  FlowStage(const FlowOptions& options, CoupledBed& liquid);
+
+  [[nodiscard]] std::string_view name() const override { return options_.name; }
+  void begin(dem::Dem& dem) override;
+  After advance(dem::Dem& dem) override;
+  [[nodiscard]] double share_done(const dem::Dem& dem) const override;
+  [[nodiscard]] std::string doing() const override;
+  [[nodiscard]] std::string result(const dem::Dem& dem) const override;
+  [[nodiscard]] nlohmann::ordered_json save() const override;
+  void load(const nlohmann::ordered_json& saved) override;
+
+ private:
+  [[nodiscard]] double velocity(std::int64_t plateau) const;
+  [[nodiscard]] double ramp_time() const;
+  [[nodiscard]] double chosen_inertia_scale(const dem::Dem& dem) const;
+  void start_plateau();
+  void set_flow();
+  [[nodiscard]] bool looks_steady(const dem::Dem& dem);
+  [[nodiscard]] bool plateau_is_over(const dem::Dem& dem);
+
+  FlowOptions options_;
+  CoupledBed& liquid_;
+  FlowState state_;
+};
+
+/// Relative change per second of pressure drop, and of bed height, below which a plateau counts as steady.
+inline constexpr double steady_rate = 0.02;
+inline constexpr double steady_height_rate = 0.0005;
+
+}  // namespace packbed::column

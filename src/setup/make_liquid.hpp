@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// @file
+/// From a case to the liquid, its coupling with the beads, and the options of the steps with a flow.
+
+#include "column/coupled_bed.hpp"
+#include "column/protocol/flow_stage.hpp"
+#include "dem/step_choice.hpp"
+#include "setup/case.hpp"
+
+namespace packbed::setup {
+
+/// Longest time between exchanges of beads and liquid [s].
+inline constexpr double longest_coupling_interval = 4e-3;
+/// Of the averaging kernel: its reach over a mean grain diameter.
+inline constexpr double reach_in_diameters = 3.0;
+
+/// Of a case with a liquid.
+column::CoupledOptions coupled_options(const Case& c);
+
+/// The liquid of a case, at rest.
+column::CoupledBed make_coupled_bed(const Case& c, const Ranks& ranks);
+
+/// Of a step "flow_ramp". `step` as setup::step_of says.
+column::FlowOptions flow_options(const Case& c, const FlowRamp& ramp, const dem::StepChoice& step);
+/// Of a step "hold"; `flow`: the velocity before it [m/s].
+column::FlowOptions flow_options(const Case& c,
+                                 const Hold& hold,
+                                 double flow,
+                                 const dem::StepChoice& step);
+
+}  // namespace packbed::setup
