@@ -99,12 +99,15 @@ class Fluid {
   void begin(Step& s, const Bed& bed, std::optional<double> top);
   [[nodiscard]] std::vector<Vec3> predicted(Step& s, const std::vector<Vec3>& force);
   void correct(Step& s, const std::vector<Vec3>& force);
+  [[nodiscard]] std::vector<double> pattern();
+  void damp(Step& s, const std::vector<double>& pattern_now);
   void solve_pressure(Step& s);
   void set_face_velocity(const Step& s);
   [[nodiscard]] std::vector<double> throughflow() const;
   void finish(Step& s);
   void set_balance(Step& s);
   void set_velocity();
+  [[nodiscard]] std::vector<Tensor> superficial_gradient();
   [[nodiscard]] std::vector<double> displaced(const Step& s) const;
   [[nodiscard]] std::vector<double> continuity_errors(const Step& s) const;
   void report(Step& s) const;
