@@ -78,6 +78,10 @@ class Fluid {
   [[nodiscard]] const std::vector<Vec3>& force() const { return force_; }
   /// Dynamic pressure at border faces [Pa].
   [[nodiscard]] const std::vector<double>& border_pressure() const { return border_p_; }
+  /// Force of the liquid on the wall at a border face, along it; 0 where there is no wall [N].
+  [[nodiscard]] Vec3 wall_shear(std::size_t border_face) const {
+    return fluid::wall_shear(domain_, border_, options_, flow(), face_eps_, border_face);
+  }
   /// Normal superficial velocity (eps u).n of faces [m/s].
   [[nodiscard]] const std::vector<double>& q() const { return q_; }
   /// Volume flux relative to the face: |S| (q - eps_f w) on faces that move with w [m3/s].
