@@ -161,10 +161,21 @@ std::vector<Tensor> Fluid::superficial_gradient() {
   return gradient(domain_, times(eps_, u_), at_border);
 }
 
-/// Velocities of cells from those of faces.
-void Fluid::set_velocity() {
-  u_ = reconstruct(domain_, q_, superficial_gradient());
-  for (std::size_t c = 0; c < domain_.own(); ++c) u_[c] *= 1.0 / eps_[c];
+/// Velocities of cells from those of faces. Where cells lean, first by the change since the last time, for the
+/// gradient that the final ones need.
+void Fluid::set_velocity(Step& s) {
+  if (!domain_.geometry.orthogonal) {
+    std::vector<double> change(q_.size());
+    for (std::size_t f = 0; f < change.size(); ++f) change[f] = q_[f] - s.fitted_q[f];
+    const auto more = reconstruct(domain_, change, {});
+    for (std::size_t c = 0; c < domain_.own(); ++c) {
+      u_[c] = (1.0 / eps_[c]) * (s.fitted[c] + more[c]);
+    }
+    domain_.halo.refresh(u_);
+  }
+  s.fitted = reconstruct(domain_, q_, superficial_gradient());
+  s.fitted_q = q_;
+  for (std::size_t c = 0; c < domain_.own(); ++c) u_[c] = (1.0 / eps_[c]) * s.fitted[c];
   domain_.halo.refresh(u_);
 }
 
@@ -191,6 +202,8 @@ void Fluid::begin(Step& s, const Bed& bed, std::optional<double> top) {
   s.u_old = u_;
   s.q_old = q_;
   s.pattern_old = pattern();
+  s.fitted = times(eps_, u_);
+  s.fitted_q = q_;
   mesh_speed_ = domain_.move_top(top.value_or(domain_.mesh.top()), s.dt);
   update(border_, options_.boundaries, domain_, time_ + s.dt, options_.rho_f * options_.gravity);
   std::copy(s.bed.eps.begin(), s.bed.eps.end(), eps_.begin());
@@ -329,7 +342,7 @@ void Fluid::correct(Step& s, const std::vector<Vec3>& force) {
   s.push = pushes(domain_, s.balance, drive, s.q_old, grad_p_);
   damp(s, s.report.pressure.empty() ? s.pattern_old : pattern());
   solve_pressure(s);
-  set_velocity();
+  set_velocity(s);
   for (std::size_t c = 0; c < own; ++c) {
     const auto& m = s.balance[c];
     grad_p_[c] = drive[c] + (m.inertia * s.eps_old[c]) * s.u_old[c] -

@@ -110,7 +110,7 @@ class Fluid {
   [[nodiscard]] std::vector<double> throughflow() const;
   void finish(Step& s);
   void set_balance(Step& s);
-  void set_velocity();
+  void set_velocity(Step& s);
   [[nodiscard]] std::vector<Tensor> superficial_gradient();
   [[nodiscard]] std::vector<double> displaced(const Step& s) const;
   [[nodiscard]] std::vector<double> continuity_errors(const Step& s) const;

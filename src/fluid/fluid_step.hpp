@@ -31,7 +31,10 @@ struct Fluid::Step {
   std::vector<double> conductance{};
   std::vector<double> damping{};  ///< inner faces
 
-  std::vector<double> push{};  ///< of the last corrector [Pa]
+  // --- last iterate
+  std::vector<Vec3> fitted{};      ///< eps u of cells, and the q that it fits
+  std::vector<double> fitted_q{};  ///< faces
+  std::vector<double> push{};      ///< of the last corrector [Pa]
 
   StepReport report{};
 };
