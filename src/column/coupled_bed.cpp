@@ -81,7 +81,7 @@ LiquidFigures CoupledBed::figures() const {
     if (!d.is_own(d.owner(f))) continue;
     const double area = d.geometry.area[f];
     if (border.kind[b] == fluid::BorderKind::wall) {
-      terms[6].push_back(-fluid_.wall_force(b).z);
+      terms[6].push_back(-fluid_.wall_shear(b).z);
       continue;
     }
     const bool is_inlet = border.patch[b] == mesh::Patch::inlet;

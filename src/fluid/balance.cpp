@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fluid/balance.hpp"
 
+#include <algorithm>
+
 namespace packbed::fluid {
 
 std::vector<double> conductances(const Domain& domain, std::span<const CellBalance> cells) {
@@ -37,6 +39,20 @@ std::vector<double> pushes(const Domain& domain,
       push += dot(gradient, g.along[f]);
     }
     all[f] = push;
+  }
+  return all;
+}
+
+// Up to 1 it is the same force for any step, so that a steady flow does not depend on the step.
+std::vector<double> damping(const Domain& domain, std::span<const CellBalance> cells) {
+  std::vector<double> all(domain.inner());
+  const auto& g = domain.geometry;
+  for (std::size_t f = 0; f < all.size(); ++f) {
+    const auto& p = cells[domain.owner(f)];
+    const auto& q = cells[domain.neighbor(f)];
+    const double viscous = p.viscous * g.d_owner[f] + q.viscous * g.d_neighbor[f];
+    const double resistance = p.resistance * g.d_owner[f] + q.resistance * g.d_neighbor[f];
+    all[f] = std::min(1.0, viscous / resistance);
   }
   return all;
 }

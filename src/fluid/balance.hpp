@@ -17,6 +17,7 @@ namespace packbed::fluid {
 struct CellBalance {
   double resistance = 0.0;  ///< inertia and implicit drag [Pa s/m2]
   double inertia = 0.0;     ///< share of the old velocity [Pa s/m2]
+  double viscous = 0.0;     ///< what neighbors exchange with it by viscosity [Pa s/m2]
 };
 
 /// flux = conductance (p_owner - p_neighbor + push), at the border less the pressure there: conductances
@@ -30,5 +31,9 @@ std::vector<double> pushes(const Domain& domain,
                            std::span<const Vec3> drive,
                            std::span<const double> q_old,
                            std::span<const Vec3> grad_p);
+
+/// Share of the part of q that cells do not see (unseen, gradient.hpp) by which a corrector reduces it, one per
+/// inner face.
+std::vector<double> damping(const Domain& domain, std::span<const CellBalance> cells);
 
 }  // namespace packbed::fluid

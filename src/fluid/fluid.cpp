@@ -151,18 +151,31 @@ void Fluid::set_flux() {
   }
 }
 
-/// Velocities of cells from those of faces.
-void Fluid::set_velocity() {
-  std::vector<Tensor> lean;
-  if (!domain_.geometry.orthogonal) {
-    auto at_border = border_velocities(domain_, border_, flow());
-    for (std::size_t b = 0; b < at_border.size(); ++b) {
-      at_border[b] *= eps_[domain_.owner(domain_.inner() + b)];
-    }
-    lean = gradient(domain_, times(eps_, u_), at_border);
+/// Gradient of eps u, where cells lean; else empty.
+std::vector<Tensor> Fluid::superficial_gradient() {
+  if (domain_.geometry.orthogonal) return {};
+  auto at_border = border_velocities(domain_, border_, flow());
+  for (std::size_t b = 0; b < at_border.size(); ++b) {
+    at_border[b] *= eps_[domain_.owner(domain_.inner() + b)];
   }
-  u_ = reconstruct(domain_, q_, lean);
-  for (std::size_t c = 0; c < domain_.own(); ++c) u_[c] *= 1.0 / eps_[c];
+  return gradient(domain_, times(eps_, u_), at_border);
+}
+
+/// Velocities of cells from those of faces. Where cells lean, first by the change since the last time, for the
+/// gradient that the final ones need.
+void Fluid::set_velocity(Step& s) {
+  if (!domain_.geometry.orthogonal) {
+    std::vector<double> change(q_.size());
+    for (std::size_t f = 0; f < change.size(); ++f) change[f] = q_[f] - s.fitted_q[f];
+    const auto more = reconstruct(domain_, change, {});
+    for (std::size_t c = 0; c < domain_.own(); ++c) {
+      u_[c] = (1.0 / eps_[c]) * (s.fitted[c] + more[c]);
+    }
+    domain_.halo.refresh(u_);
+  }
+  s.fitted = reconstruct(domain_, q_, superficial_gradient());
+  s.fitted_q = q_;
+  for (std::size_t c = 0; c < domain_.own(); ++c) u_[c] = (1.0 / eps_[c]) * s.fitted[c];
   domain_.halo.refresh(u_);
 }
 
@@ -188,6 +201,9 @@ void Fluid::begin(Step& s, const Bed& bed, std::optional<double> top) {
   s.volume_old = domain_.part.volume;
   s.u_old = u_;
   s.q_old = q_;
+  s.pattern_old = pattern();
+  s.fitted = times(eps_, u_);
+  s.fitted_q = q_;
   mesh_speed_ = domain_.move_top(top.value_or(domain_.mesh.top()), s.dt);
   update(border_, options_.boundaries, domain_, time_ + s.dt, options_.rho_f * options_.gravity);
   std::copy(s.bed.eps.begin(), s.bed.eps.end(), eps_.begin());
@@ -201,6 +217,7 @@ void Fluid::set_balance(Step& s) {
   const auto own = domain_.own();
   const double rho = options_.rho_f;
   s.matrix = transport_matrix(domain_, border_, options_, flow(), face_eps_, s.end);
+  const auto viscous = viscous_exchange(domain_, options_, face_eps_, s.end);
   s.balance.resize(domain_.cells());
   s.inertia.resize(own);
   s.implicit_drag.resize(own);
@@ -218,10 +235,12 @@ void Fluid::set_balance(Step& s) {
                        s.implicit_drag[c] * s.bed.u_solid[c] + s.bed.force[c];
     s.matrix.diagonal[c] += volume * (inertia + s.implicit_drag[c]);
     s.balance[c] = {.resistance = (inertia + s.implicit_drag[c]) / (eps_[c] * eps_[c]),
-                    .inertia = inertia / (eps_[c] * s.eps_old[c])};
+                    .inertia = inertia / (eps_[c] * s.eps_old[c]),
+                    .viscous = viscous[c] / (volume * eps_[c] * eps_[c])};
   }
   domain_.halo.refresh(s.balance);
   s.conductance = conductances(domain_, s.balance);
+  s.damping = damping(domain_, s.balance);
 }
 
 /// Velocity of own cells that balances momentum with the present pressure, convection and viscous forces
@@ -290,6 +309,25 @@ void Fluid::solve_pressure(Step& s) {
   set_face_velocity(s);
 }
 
+/// Part of the present q that no velocity of a cell shows, one per inner face.
+std::vector<double> Fluid::pattern() {
+  const auto lean = superficial_gradient();
+  auto v = reconstruct(domain_, q_, lean);
+  domain_.halo.refresh(v);
+  return unseen(domain_, q_, v, lean);
+}
+
+/// Takes from the pushes what damps patterns of cells: a viscosity that acts on velocities of cells does not.
+void Fluid::damp(Step& s, const std::vector<double>& pattern_now) {
+  const auto take = [&](double weight, const std::vector<double>& from) {
+    for (std::size_t f = 0; f < domain_.inner(); ++f) {
+      s.push[f] -= std::min(1.0, weight * s.damping[f]) * from[f] * domain_.geometry.area[f] / s.conductance[f];
+    }
+  };
+  if (s.end < 1.0) take((1.0 - s.end) / s.end, s.pattern_old);
+  take(1.0, pattern_now);
+}
+
 /// Predicts velocities, takes the pressure out again, and lets a new one close all cells.
 void Fluid::correct(Step& s, const std::vector<Vec3>& force) {
   const auto own = domain_.own();
@@ -302,8 +340,9 @@ void Fluid::correct(Step& s, const std::vector<Vec3>& force) {
   drive.resize(domain_.cells());
   domain_.halo.refresh(drive);
   s.push = pushes(domain_, s.balance, drive, s.q_old, grad_p_);
+  damp(s, s.report.pressure.empty() ? s.pattern_old : pattern());
   solve_pressure(s);
-  set_velocity();
+  set_velocity(s);
   for (std::size_t c = 0; c < own; ++c) {
     const auto& m = s.balance[c];
     grad_p_[c] = drive[c] + (m.inertia * s.eps_old[c]) * s.u_old[c] -

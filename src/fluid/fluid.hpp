@@ -83,9 +83,9 @@ class Fluid {
   [[nodiscard]] const std::vector<Vec3>& force() const { return force_; }
   /// Dynamic pressure at border faces [Pa].
   [[nodiscard]] const std::vector<double>& border_pressure() const { return border_p_; }
-  /// Force with which the liquid drags at border face b, along the face [N].
-  [[nodiscard]] Vec3 wall_force(std::size_t b) const {
-    return wall_shear(domain_, border_, options_, flow(), face_eps_, b);
+  /// Force of the liquid on the wall at a border face, along it; 0 where there is no wall [N].
+  [[nodiscard]] Vec3 wall_shear(std::size_t border_face) const {
+    return fluid::wall_shear(domain_, border_, options_, flow(), face_eps_, border_face);
   }
   /// Normal superficial velocity (eps u).n of faces [m/s].
   [[nodiscard]] const std::vector<double>& q() const { return q_; }
@@ -108,12 +108,15 @@ class Fluid {
   void begin(Step& s, const Bed& bed, std::optional<double> top);
   [[nodiscard]] std::vector<Vec3> predicted(Step& s, const std::vector<Vec3>& force);
   void correct(Step& s, const std::vector<Vec3>& force);
+  [[nodiscard]] std::vector<double> pattern();
+  void damp(Step& s, const std::vector<double>& pattern_now);
   void solve_pressure(Step& s);
   void set_face_velocity(const Step& s);
   [[nodiscard]] std::vector<double> throughflow() const;
   void finish(Step& s);
   void set_balance(Step& s);
-  void set_velocity();
+  void set_velocity(Step& s);
+  [[nodiscard]] std::vector<Tensor> superficial_gradient();
   [[nodiscard]] std::vector<double> displaced(const Step& s) const;
   [[nodiscard]] std::vector<double> continuity_errors(const Step& s) const;
   void report(Step& s) const;

@@ -20,6 +20,7 @@ struct Fluid::Step {
   std::vector<double> volume_old{};  ///< all cells [m3]
   std::vector<Vec3> u_old{};         ///< all cells
   std::vector<double> q_old{};       ///< faces
+  std::vector<double> pattern_old{}; ///< inner faces, of q_old
 
   // --- coefficients, fixed within the step
   std::vector<CellBalance> balance{};   ///< all cells
@@ -28,8 +29,12 @@ struct Fluid::Step {
   std::vector<Vec3> fixed_force{};      ///< all that does not change with the iterate; own cells [N/m3]
   FaceMatrix matrix{};                  ///< of a change of velocity [kg/s]
   std::vector<double> conductance{};
+  std::vector<double> damping{};  ///< inner faces
 
-  std::vector<double> push{};  ///< of the last corrector [Pa]
+  // --- last iterate
+  std::vector<Vec3> fitted{};      ///< eps u of cells, and the q that it fits
+  std::vector<double> fitted_q{};  ///< faces
+  std::vector<double> push{};      ///< of the last corrector [Pa]
 
   StepReport report{};
 };

@@ -66,10 +66,13 @@ Vec3 border_stress(const Domain& domain,
     case BorderKind::wall: return scale * (difference - across);
     case BorderKind::slip: return (2.0 * scale) * across + bulk();
     case BorderKind::inlet:
-      return border.inward[b] > 0.0 ? scale * (difference + across) + bulk() : Vec3{};
+      if (border.inward[b] > 0.0) return scale * (difference + across) + bulk();
+      break;
     case BorderKind::outlet: break;
   }
-  return {};
+  // Nothing changes across an open face; along it (grad u)^T n goes on as between cells.
+  const Vec3 along = transposed_times(grad[domain.owner(f)], n);
+  return g.area[f] * (along - dot(along, n) * n);
 }
 
 }  // namespace

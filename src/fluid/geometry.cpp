@@ -77,6 +77,7 @@ Geometry geometry(const mesh::MeshPart& part) {
   add_faces(part, g);
   const auto own = static_cast<std::size_t>(part.own);
   std::vector<Symmetric> reconstruct(part.cell.size());
+  std::vector<Symmetric> inner(part.cell.size());
   std::vector<Symmetric> least_squares(part.cell.size());
   for (std::size_t f = 0; f < part.owner.size(); ++f) {
     const Vec3& d = part.delta[f];
@@ -84,6 +85,9 @@ Geometry geometry(const mesh::MeshPart& part) {
     const auto add = [&](std::int32_t cell) {
       reconstruct[static_cast<std::size_t>(cell)].add(g.area[f], g.normal[f]);
       least_squares[static_cast<std::size_t>(cell)].add(weight, d);
+      if (f < part.neighbor.size()) {
+        inner[static_cast<std::size_t>(cell)].add(g.area[f], g.normal[f]);
+      }
     };
     add(part.owner[f]);
     if (f < part.neighbor.size()) add(part.neighbor[f]);
@@ -91,6 +95,13 @@ Geometry geometry(const mesh::MeshPart& part) {
   for (std::size_t c = 0; c < own; ++c) {
     g.reconstruct.push_back(inverse(reconstruct[c]));
     g.least_squares.push_back(inverse(least_squares[c]));
+    // A direction without inner faces has no flux either; the matrix only must not be singular.
+    const double little =
+        1e-9 * (reconstruct[c].xx + reconstruct[c].yy + reconstruct[c].zz);
+    inner[c].xx += little;
+    inner[c].yy += little;
+    inner[c].zz += little;
+    g.reconstruct_inner.push_back(inverse(inner[c]));
   }
   return g;
 }

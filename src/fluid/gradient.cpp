@@ -58,4 +58,35 @@ std::vector<Vec3> reconstruct(const Domain& domain,
   return v;
 }
 
+std::vector<double> unseen(Domain& domain,
+                           std::span<const double> q,
+                           std::span<const Vec3> v,
+                           std::span<const Tensor> grad_v) {
+  const auto& g = domain.geometry;
+  const auto lacks = [&](std::size_t f, double value, std::span<const Vec3> cells) {
+    const double w = g.owner_weight(f);
+    return value -
+           dot(g.normal[f], w * cells[domain.owner(f)] + (1.0 - w) * cells[domain.neighbor(f)]);
+  };
+  std::vector<double> once(domain.inner());
+  std::vector<Vec3> fit(domain.cells());
+  for (std::size_t f = 0; f < once.size(); ++f) {
+    once[f] = lacks(f, q[f], v);
+    if (!grad_v.empty()) {
+      const double w = g.owner_weight(f);
+      const Tensor at_face =
+          w * grad_v[domain.owner(f)] + (1.0 - w) * grad_v[domain.neighbor(f)];
+      once[f] -= dot(g.normal[f], at_face * g.skew[f]);
+    }
+    const Vec3 part = (once[f] * g.area[f]) * g.normal[f];
+    fit[domain.owner(f)] += part;
+    fit[domain.neighbor(f)] += part;
+  }
+  for (std::size_t c = 0; c < domain.own(); ++c) fit[c] = g.reconstruct_inner[c] * fit[c];
+  domain.halo.refresh(fit);
+  std::vector<double> twice(domain.inner());
+  for (std::size_t f = 0; f < twice.size(); ++f) twice[f] = lacks(f, once[f], fit);
+  return twice;
+}
+
 }  // namespace packbed::fluid

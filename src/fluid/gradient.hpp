@@ -25,4 +25,12 @@ std::vector<Vec3> reconstruct(const Domain& domain,
                               std::span<const double> q,
                               std::span<const Tensor> lean);
 
+/// Part of q that velocities of cells do not see, one per inner face: with D q = q - n.(interpolated velocity of
+/// cells that fit q) it is D (D q). 0 to fourth order where q is smooth, q itself where it changes sign from face to
+/// face. `v`: velocity of all cells that fits q; `grad_v` of it where cells lean, or empty.
+std::vector<double> unseen(Domain& domain,
+                           std::span<const double> q,
+                           std::span<const Vec3> v,
+                           std::span<const Tensor> grad_v);
+
 }  // namespace packbed::fluid

@@ -185,9 +185,16 @@ void LinearSolver::set_matrix(const FaceMatrix& matrix) {
   check(MatSetValuesCOO(petsc_->matrix, values.data(), INSERT_VALUES));
 }
 
+// How PETSc makes the coarse matrices of the multigrid on several ranks: by default it adds what comes from other
+// ranks in the order of arrival, and so gives other bits from run to run on three ranks and more. On one rank
+// it knows no such choice, and refuses the option.
 void LinearSolver::build_preconditioner() {
   petsc_->make_solver(false);
-  check(KSPSetUp(petsc_->solver));
+  const bool shared = petsc_->comm != PETSC_COMM_SELF;
+  if (shared) check(PetscOptionsSetValue(nullptr, "-matptap_via", "allatonce"));
+  const auto code = KSPSetUp(petsc_->solver);
+  if (shared) check(PetscOptionsClearValue(nullptr, "-matptap_via"));
+  check(code);
   if (petsc_->method == Method::multigrid) {
     check(KSPSetReusePreconditioner(petsc_->solver, PETSC_TRUE));
   }
@@ -205,7 +212,10 @@ SolveReport LinearSolver::solve(std::span<const double> b,
   std::string history;
   for (int trial = 0; trial < 3; ++trial) {
     if (trial == 1) build_preconditioner();
-    if (trial == 2) petsc_->make_solver(true);
+    if (trial == 2) {
+      petsc_->make_solver(true);
+      petsc_->built = false;
+    }
     const auto a =
         petsc_->attempt(b, x, target, trial < 2 ? most_iterations : 20 * most_iterations);
     if (trial == 0) report.first_residual = a.first;
@@ -213,7 +223,6 @@ SolveReport LinearSolver::solve(std::span<const double> b,
     report.last_residual = a.last;
     if (a.good) {
       report.rebuilt = trial;
-      if (trial == 2) petsc_->built = false;
       return report;
     }
     constexpr std::array names = {"preconditioner kept", "preconditioner made anew", "plain"};

@@ -9,6 +9,20 @@
 
 namespace packbed::fluid {
 
+namespace {
+
+/// Of an inner face [kg/s].
+double diffusion(const Domain& domain,
+                 const FluidOptions& options,
+                 std::span<const double> face_eps,
+                 double weight,
+                 std::size_t f) {
+  const auto& g = domain.geometry;
+  return weight * options.mu_f * face_eps[f] * g.area[f] / (g.d_owner[f] + g.d_neighbor[f]);
+}
+
+}  // namespace
+
 FaceMatrix transport_matrix(const Domain& domain,
                             const Border& border,
                             const FluidOptions& options,
@@ -22,11 +36,10 @@ FaceMatrix transport_matrix(const Domain& domain,
   const auto& g = domain.geometry;
   const double rho = options.convection == Convection::none ? 0.0 : weight * options.rho_f;
   for (std::size_t f = 0; f < domain.inner(); ++f) {
-    const double diffusion = weight * options.mu_f * face_eps[f] * g.area[f] /
-                             (g.d_owner[f] + g.d_neighbor[f]);
+    const double exchange = diffusion(domain, options, face_eps, weight, f);
     const double carried = rho * flow.flux[f];
-    m.upper[f] = -diffusion + std::min(carried, 0.0);
-    m.lower[f] = -diffusion - std::max(carried, 0.0);
+    m.upper[f] = -exchange + std::min(carried, 0.0);
+    m.lower[f] = -exchange - std::max(carried, 0.0);
     m.diagonal[domain.owner(f)] -= m.upper[f];
     m.diagonal[domain.neighbor(f)] -= m.lower[f];
   }
@@ -41,6 +54,20 @@ FaceMatrix transport_matrix(const Domain& domain,
   }
   m.diagonal.resize(domain.own());
   return m;
+}
+
+std::vector<double> viscous_exchange(const Domain& domain,
+                                     const FluidOptions& options,
+                                     std::span<const double> face_eps,
+                                     double weight) {
+  std::vector<double> all(domain.cells(), 0.0);
+  for (std::size_t f = 0; f < domain.inner(); ++f) {
+    const double exchange = diffusion(domain, options, face_eps, weight, f);
+    all[domain.owner(f)] += exchange;
+    all[domain.neighbor(f)] += exchange;
+  }
+  all.resize(domain.own());
+  return all;
 }
 
 double norm_of(const Ranks& ranks, std::span<const double> values) {

@@ -25,6 +25,12 @@ FaceMatrix transport_matrix(const Domain& domain,
                             std::span<const double> face_eps,
                             double weight);
 
+/// Sum over the inner faces of each own cell of eps_f mu |S| / distance, times `weight` [kg/s].
+std::vector<double> viscous_exchange(const Domain& domain,
+                                     const FluidOptions& options,
+                                     std::span<const double> face_eps,
+                                     double weight);
+
 /// Solves matrix du = rhs, component by component; own cells. `momentum`: 2-norm of diagonal times velocity, to
 /// which the tolerance refers. Adds to the report.
 std::vector<Vec3> solve_momentum(const Domain& domain,
