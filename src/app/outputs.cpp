@@ -108,9 +108,11 @@ analysis::SectionReference section_reference_from(const Json& saved) {
 }
 
 Json to_json(const RowFigures& f) {
-  return {f.kinetic_to_elastic, f.unbalanced_force, f.max_overlap_ratio, f.coordination_number,
-          f.budget_error,       f.bed.height,       f.bed.mean_porosity, f.bed.middle_porosity,
-          f.settled_height,     f.settled_porosity};
+  return {f.kinetic_to_elastic,     f.unbalanced_force,      f.max_overlap_ratio,
+          f.coordination_number,    f.budget_error,          f.bed.height,
+          f.bed.mean_porosity,      f.bed.middle_porosity,   f.settled_height,
+          f.settled_porosity,       f.highest_flow.velocity, f.highest_flow.pressure_drop,
+          f.highest_flow.bed_height};
 }
 
 RowFigures row_figures_from(const Json& saved) {
@@ -121,7 +123,9 @@ RowFigures row_figures_from(const Json& saved) {
           .budget_error = saved[4],
           .bed = {.height = saved[5], .mean_porosity = saved[6], .middle_porosity = saved[7]},
           .settled_height = saved[8],
-          .settled_porosity = saved[9]};
+          .settled_porosity = saved[9],
+          .liquid = {},
+          .highest_flow = {saved[10], saved[11], saved[12]}};
 }
 
 }  // namespace
@@ -154,6 +158,10 @@ void Outputs::row(const dem::Dem& dem, const column::CoupledBed* liquid, std::in
                                          mesh::cross_section(case_.column.shape), dem.ranks());
   }
   figures_.liquid = liquid != nullptr ? liquid->figures() : column::LiquidFigures{};
+  const double velocity = figures_.liquid.superficial_velocity;
+  if (liquid != nullptr && std::abs(velocity) >= std::abs(figures_.highest_flow.velocity)) {
+    figures_.highest_flow = {velocity, figures_.liquid.pressure_drop, figures_.bed.height};
+  }
   auto support = support_of(dem, s);
   support.load += figures_.liquid.pressure_force;
   figures_.kinetic_to_elastic = ratio(s.kinetic_energy, s.elastic_energy);

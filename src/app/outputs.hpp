@@ -28,11 +28,17 @@ struct RowFigures {
   double unbalanced_force = 0.0;   ///< mean unbalanced / mean contact force
   double max_overlap_ratio = 0.0;  ///< largest of all rows
   double coordination_number = 0.0;
-  double budget_error = 0.0;  ///< 1 - (floor force + wall shear) / (weight + pressure force)
-  column::LiquidFigures liquid;
+  double budget_error = 0.0;      ///< 1 - (floor force + wall shear) / (weight + pressure force)
   analysis::BedFigures bed;       ///< where there is a floor
   double settled_height = 0.0;    ///< H0, at the end of the last settling; 0 before [m]
   double settled_porosity = 0.0;  ///< of the middle half then
+  column::LiquidFigures liquid;
+  /// The last row of those with the highest flow.
+  struct Flow {
+    double velocity = 0.0;       ///< superficial [m/s]
+    double pressure_drop = 0.0;  ///< [Pa]
+    double bed_height = 0.0;     ///< [m]
+  } highest_flow;
 };
 
 class Outputs {

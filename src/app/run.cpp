@@ -43,6 +43,11 @@ void add_results(nlohmann::ordered_json& summary, const RunSummary& r) {
     summary["settled_height_m"] = f.settled_height;
     summary["settled_porosity"] = f.settled_porosity;
   }
+  if (r.has_flow) {
+    summary["highest_superficial_velocity_m_s"] = f.highest_flow.velocity;
+    summary["pressure_drop_at_highest_flow_Pa"] = f.highest_flow.pressure_drop;
+    summary["bed_height_at_highest_flow_m"] = f.highest_flow.bed_height;
+  }
   summary["warnings"] = r.warnings;
   summary["wall_time_s"] = r.wall_time;
 }
@@ -55,6 +60,13 @@ void tell_results(const RunSummary& r) {
         "grain, unbalanced / contact force {:.1e}\n",
         r.beads, 1e3 * f.bed.height, f.bed.middle_porosity, f.coordination_number,
         f.unbalanced_force);
+  }
+  if (r.has_flow) {
+    fmt::print(
+        "Highest flow {:.4g} cm/h: pressure drop {:.4g} bar, {:.4g} bar/m of a bed of {:.3f} mm\n",
+        f.highest_flow.velocity * 3.6e5, 1e-5 * f.highest_flow.pressure_drop,
+        1e-5 * f.highest_flow.pressure_drop / f.highest_flow.bed_height,
+        1e3 * f.highest_flow.bed_height);
   }
   for (const auto& warning : r.warnings) fmt::print("Warning: {}\n", warning);
   fmt::print("{:.4g} s simulated in {} steps, {:.3g} s of wall time\n", r.simulated_time, r.steps,
@@ -76,9 +88,9 @@ void tell_prepared(const setup::Case& c, const std::filesystem::path& folder, in
     fmt::print("-n {} has no effect on a case that is only prepared.\n", ranks_asked);
   }
   fmt::print(
-      "NOT SIMULATED: packbed {} carries out the steps \"settle\", \"tap\" and \"run\". Flow and "
-      "the "
-      "plunger are not there yet, so none of the {} steps was carried out.\n"
+      "NOT SIMULATED: packbed {} carries out the steps \"settle\", \"tap\", \"run\", \"flow_ramp\" "
+      "and "
+      "\"hold\". The plunger is not there yet, so none of the {} steps was carried out.\n"
       "Written: {}/case.toml (every value filled in), {}/summary.json\n",
       version, c.protocol.size(), folder.string(), folder.string());
 }

@@ -65,6 +65,7 @@ class Simulation {
             .step = dem_->options().step,
             .inertia_scale = dem_->options().inertia_scale,
             .beads = dem_->bead_count(),
+            .has_flow = has_flow(c_),
             .figures = outputs_->figures(),
             .warnings = now_.warnings,
             .wall_time = seconds_since(start_)};

@@ -21,6 +21,7 @@ struct RunSummary {
   double step = 0.0;           ///< of the beads, the last one [s]
   double inertia_scale = 1.0;  ///< the last one
   std::int64_t beads = 0;      ///< at the end
+  bool has_flow = false;
   RowFigures figures;
   std::vector<std::string> warnings;
   double wall_time = 0.0;  ///< of this process [s]

@@ -72,18 +72,19 @@ TEST(Check, IsTheSameUnderADecimalCommaLocale) {
   EXPECT_EQ(german.out, plain.out);
 }
 
-/// The quickstart and a flow after it, which this version does not carry out.
-std::filesystem::path case_with_flow(const test::TemporaryFolder& folder,
-                                     const std::string& name = "flow.toml") {
+/// The quickstart and a compression after it, which this version does not carry out.
+std::filesystem::path case_with_plunger(const test::TemporaryFolder& folder,
+                                        const std::string& name = "plunger.toml") {
   return folder.file(name, read_text_file(PACKBED_SOURCE_DIR "/cases/quickstart.toml") +
-                               "\n[[protocol]]\nstep = \"flow_ramp\"\nto = \"2763 cm/h\"\n");
+                               "\n[[protocol]]\nstep = \"compress\"\nspeed = \"20 mm/min\"\n"
+                               "compression = \"10 %\"\n");
 }
 
 TEST(Run, WritesTheFullCaseAndSaysWhatItDidNotDo) {
   const test::TemporaryFolder folder;
   const auto out = (folder.path() / "résultat 1").string();
 
-  const auto run = run_packbed("run " + case_with_flow(folder).string() + " -o '" + out + "'");
+  const auto run = run_packbed("run " + case_with_plunger(folder).string() + " -o '" + out + "'");
 
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("NOT SIMULATED"));
@@ -185,7 +186,7 @@ TEST(Run, RefusesAStepThatDoesNotResolveContacts) {
 TEST(Run, DoesNotOverwriteResultsUnasked) {
   const test::TemporaryFolder folder;
   const auto arguments =
-      "run " + case_with_flow(folder).string() + " -o " + (folder.path() / "out").string();
+      "run " + case_with_plunger(folder).string() + " -o " + (folder.path() / "out").string();
   ASSERT_EQ(run_packbed(arguments).code, 0);
 
   EXPECT_EQ(run_packbed(arguments).code, 1);
@@ -210,7 +211,7 @@ TEST(Program, SaysWhenItsOutputIsLost) {
 
 TEST(Program, TakesFolderNamesThatAreNoUtf8) {
   const test::TemporaryFolder folder;
-  const auto file = case_with_flow(folder, "f\xff/c.toml");
+  const auto file = case_with_plunger(folder, "f\xff/c.toml");
   const auto out = (folder.path() / "out").string();
   EXPECT_EQ(run_packbed("run --json '" + file.string() + "' -o " + out).code, 0);
 }

@@ -12,9 +12,10 @@
 namespace packbed::column {
 namespace {
 
-constexpr double look_every = 0.1;  // between looks at how steady a plateau is [s]
-constexpr double usual_ramp = 0.1;  // to a plateau that is held until steady [s]
-constexpr double ramp_share = 0.5;  // of a plateau that is held for a time
+constexpr double look_every = 0.1;         // between looks at how steady a plateau is [s]
+constexpr double looks_per_plateau = 0.2;  // or this share of a short plateau
+constexpr double usual_ramp = 0.1;         // to a plateau that is held until steady [s]
+constexpr double ramp_share = 0.5;         // of a plateau that is held for a time
 constexpr double cm_h = 0.01 / 3600.0;
 
 /// Names and values of the state, in one place for both directions.
@@ -121,7 +122,8 @@ bool FlowStage::plateau_is_over(const dem::Dem& dem) {
   const double past = liquid_.time() - state_.started;
   const double limit = options_.hold.value_or(options_.hold_limit);
   const bool is_late = past >= limit * (1.0 - 1e-9);
-  const bool may_look = liquid_.time() - state_.window_started >= look_every * (1.0 - 1e-9);
+  const double look = std::min(look_every, looks_per_plateau * limit);
+  const bool may_look = liquid_.time() - state_.window_started >= look * (1.0 - 1e-9) || is_late;
   const bool is_steady = may_look && past > ramp_time() && looks_steady(dem);
   if (is_late && !is_steady) ++state_.unsteady;
   return is_late || (is_steady && !options_.hold);

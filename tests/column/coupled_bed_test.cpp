@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A small bed in a flow: what carries it, and what the interval of coupling and the scheme do.
+#include "column/coupled_bed.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "column/protocol/bed_look.hpp"
+#include "column/protocol/flow_stage.hpp"
+#include "continuum/packed_bed.hpp"
+#include "tests/support/settling.hpp"
+
+namespace packbed::column {
+namespace {
+
+using namespace test;  // NOLINT
+
+constexpr mesh::Slice slice{.inner_diameter = 2e-3, .depth = 0.7e-3, .height = 5e-3};
+constexpr double area = 2e-3 * 0.7e-3;
+constexpr double cm_h = 0.01 / 3600.0;
+
+/// 300 grains, settled, as the state of a bed at rest.
+const dem::DemState& settled() {
+  static const dem::DemState state = [] {
+    auto s = cloud_of(300, 0.1);
+    Settle settle(s.options, s.start);
+    while (settle.advance(s.dem)) {}
+    return s.dem.state();
+  }();
+  return state;
+}
+
+dem::Dem bed_at_rest(double inertia_scale) {
+  const auto s = cloud_of(300, 0.1);
+  dem::Dem dem(s.dem.options(), settled(), dem::Dem::Lists::as_saved);
+  dem.set_background_damping(0.0);
+  dem.set_inertia_scale(inertia_scale);
+  choose_step({.longest_step = 1.0}, dem);
+  return dem;
+}
+
+CoupledBed liquid(coupling::Scheme scheme = coupling::Scheme::frozen_flux) {
+  const mesh::ColumnMesh mesh(slice, mesh::cell_counts(slice, {}));
+  CoupledOptions o;
+  o.coupling.scheme = scheme;
+  o.coupling.widths = {.reach = 0.75e-3, .reach_z = 0.75e-3};
+  return {mesh, slice, o, Ranks::alone()};
+}
+
+void run(CoupledBed& bed, dem::Dem& dem, double time, double interval) {
+  const auto count = static_cast<std::int64_t>(std::ceil(interval / dem.options().step));
+  dem.set_step(interval / static_cast<double>(count));
+  const auto intervals = std::llround(time / interval);
+  for (std::int64_t k = 0; k < intervals; ++k) bed.advance(dem, count);
+}
+
+double mean_force(const dem::Snapshot& s, const dem::Dem& dem, bool floor) {
+  double sum = 0.0;
+  for (std::size_t w = 0; w < s.wall_force.size(); ++w) {
+    if ((dem.walls()[w].name == "floor") == floor) sum -= s.wall_force[w].z;
+  }
+  return sum;
+}
+
+// K3: what presses on the bed is carried by floor, walls, and the liquid's own friction on the walls.
+TEST(CoupledBed, IsCarriedByFloorAndWalls) {
+  auto dem = bed_at_rest(100.0);
+  auto bed = liquid();
+  bed.start(dem);
+  bed.set_flow(fluid::FlowProgram::steady(1000 * cm_h));
+  run(bed, dem, 0.4, 2e-3);
+  const auto f = bed.figures();
+  EXPECT_NEAR(f.superficial_velocity, 1000 * cm_h, 1e-12);
+  EXPECT_LT(f.continuity_error, 1e-6);
+  const auto s = dem.snapshot();
+  double weight = 0.0;
+  for (const auto& b : s.beads) weight += b.weight;
+  const double carried = mean_force(s, dem, true) + mean_force(s, dem, false) + f.wall_shear;
+  EXPECT_NEAR(carried / (weight + f.pressure_force), 1.0, 1e-3);
+  EXPECT_GT(f.pressure_force, 2.0 * weight);
+}
+
+// The pressure drop is near that of Kozeny and Carman at the porosity and Sauter mean of the bed.
+TEST(CoupledBed, HasThePressureDropOfABed) {
+  auto dem = bed_at_rest(100.0);
+  auto bed = liquid();
+  bed.start(dem);
+  bed.set_flow(fluid::FlowProgram::steady(100 * cm_h));
+  run(bed, dem, 0.2, 2e-3);
+  double cubes = 0.0;
+  double squares = 0.0;
+  for (const auto& p : dem.particles().properties) {
+    cubes += std::pow(p.diameter, 3);
+    squares += std::pow(p.diameter, 2);
+  }
+  const auto look = look_at_bed(dem, area);
+  const double expected = look.height * continuum::kozeny_carman_gradient(
+                                            look.porosity, cubes / squares, 1e-3, 100 * cm_h);
+  EXPECT_NEAR(bed.figures().pressure_drop / expected, 1.0, 0.15);  // its ends are looser
+}
+
+struct Noise {
+  double mean = 0.0;
+  double deviation = 0.0;  ///< of the pressure drop, over its mean
+  double height = 0.0;
+};
+
+Noise noise_of(coupling::Scheme scheme, double interval, double inertia_scale) {
+  auto dem = bed_at_rest(inertia_scale);
+  auto bed = liquid(scheme);
+  bed.start(dem);
+  bed.set_flow(fluid::FlowProgram::steady(500 * cm_h));
+  run(bed, dem, 0.1, interval);
+  std::vector<double> drops;
+  for (int k = 0; k < 20; ++k) {
+    run(bed, dem, interval, interval);
+    drops.push_back(bed.figures().pressure_drop);
+  }
+  Noise n{.height = look_at_bed(dem, area).height};
+  for (const double d : drops) n.mean += d / static_cast<double>(drops.size());
+  for (const double d : drops) n.deviation += std::pow(d / n.mean - 1.0, 2);
+  n.deviation = std::sqrt(n.deviation / static_cast<double>(drops.size()));
+  return n;
+}
+
+// Design section 4: with the flux frozen neither noise nor result depend on the interval; with the velocity
+// of the liquid frozen the pressure does not come to rest.
+TEST(CoupledBed, IsQuietWithTheFluxFrozenAndNotWithTheVelocity) {
+  const auto fine = noise_of(coupling::Scheme::frozen_flux, 0.5e-3, 100.0);
+  const auto coarse = noise_of(coupling::Scheme::frozen_flux, 4e-3, 100.0);
+  const auto classical = noise_of(coupling::Scheme::frozen_velocity, 4e-3, 100.0);
+  EXPECT_NEAR(coarse.mean / fine.mean, 1.0, 2e-3);
+  EXPECT_NEAR(coarse.height, fine.height, 1e-6);
+  EXPECT_LT(coarse.deviation, 1e-3);
+  EXPECT_GT(classical.deviation, 10.0 * coarse.deviation);
+}
+
+TEST(CoupledBed, GoesOnFromASavedStateWithTheSameBits) {
+  auto dem = bed_at_rest(100.0);
+  auto bed = liquid();
+  bed.start(dem);
+  bed.set_flow(fluid::FlowProgram::steady(500 * cm_h));
+  run(bed, dem, 0.02, 2e-3);
+  dem::Dem resumed(dem.options(), dem.state(), dem::Dem::Lists::as_saved);
+  auto liquid_resumed = liquid();
+  liquid_resumed.load(bed.save(), resumed);
+  liquid_resumed.set_flow(fluid::FlowProgram::steady(500 * cm_h));
+  run(bed, dem, 0.02, 2e-3);
+  run(liquid_resumed, resumed, 0.02, 2e-3);
+  EXPECT_EQ(bed.figures().pressure_drop, liquid_resumed.figures().pressure_drop);
+  const auto a = dem.snapshot();
+  const auto b = resumed.snapshot();
+  for (std::size_t i = 0; i < a.x.size(); ++i) {
+    ASSERT_EQ(a.x[i], b.x[i]);
+    ASSERT_EQ(a.v[i], b.v[i]);
+    ASSERT_EQ(a.drag[i], b.drag[i]);
+  }
+}
+
+TEST(FlowStage, GoesThroughItsPlateausAndTellsWhichWereNotSteady) {
+  auto dem = bed_at_rest(1.0);
+  auto bed = liquid();
+  FlowOptions o;
+  o.to = 600 * cm_h;
+  o.steps = 3;
+  o.hold = 0.05;
+  o.ramps = false;
+  o.interval = 1.0;
+  o.area = area;
+  o.coupling_interval = 2e-3;
+  o.inertia_scale = 100.0;
+  o.stepping = {.longest_step = 1.0};
+  FlowStage stage(o, bed);
+  const double start = dem.time();
+  stage.begin(dem);
+  std::vector<double> drops;
+  for (auto after = After::goes_on; after != After::end;) {
+    after = stage.advance(dem);
+    if (after != After::goes_on) drops.push_back(bed.figures().pressure_drop);
+  }
+  ASSERT_EQ(drops.size(), 3U);
+  EXPECT_NEAR(drops[1] / drops[0], 2.0, 0.2);
+  EXPECT_GT(drops[1], drops[0]);
+  EXPECT_GT(drops[2], drops[1]);
+  EXPECT_NEAR(dem.time() - start, 0.15, 1e-9);
+  EXPECT_EQ(dem.options().inertia_scale, 100.0);
+  EXPECT_NE(stage.result(dem).find("600 cm/h"), std::string::npos) << stage.result(dem);
+}
+
+}  // namespace
+}  // namespace packbed::column
