@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -59,17 +60,20 @@ BedFields Coupling::bed(const dem::Dem& dem, const mesh::ColumnMesh& mesh, doubl
   centers.reserve(grains_.size());
   for (const auto& g : grains_) centers.push_back(dem.particles().motion[g.place].x);
   weights_.set_rows(mesh, centers);
-  sum_volumes(mesh);
-  find_coefficients();
+  sum_beads(mesh);
 
   // K and K v of the beads of each cell.
   std::vector<std::array<double, 4>> sums(window_.size());
   for (std::size_t i = 0; i < grains_.size(); ++i) {
     const auto& g = grains_[i];
-    const std::array<double, 4> terms = {g.k, g.k * g.v.x, g.k * g.v.y, g.k * g.v.z};
     weights_.for_each(i, [&](std::int64_t cell, double w) {
-      auto& sum = sums[static_cast<std::size_t>(cell - window_.first())];
-      for (std::size_t n = 0; n < 4; ++n) sum[n] += w * terms[n];
+      const std::size_t c = at(cell);
+      const double wk = w * law_[c](g.diameter);
+      auto& sum = sums[c];
+      sum[0] += wk;
+      sum[1] += wk * g.v.x;
+      sum[2] += wk * g.v.y;
+      sum[3] += wk * g.v.z;
     });
   }
   window_.add_to_owners({sums.data()->data(), 4 * sums.size()}, 4);
@@ -101,69 +105,71 @@ void Coupling::find_beads(const dem::Dem& dem, double dt) {
   }
 }
 
-// Solid volume of the cells, their void fraction, and that around each bead.
-void Coupling::sum_volumes(const mesh::ColumnMesh& mesh) {
-  std::vector<double> solid(window_.size(), 0.0);
+// Void fraction of the cells, and the drag law in each of them.
+void Coupling::sum_beads(const mesh::ColumnMesh& mesh) {
+  std::vector<std::array<double, 5>> sums(window_.size());  // volume, d, d v
   for (std::size_t i = 0; i < grains_.size(); ++i) {
+    const auto& g = grains_[i];
+    const double d = g.diameter;
+    const std::array<double, 5> terms = {g.volume, d, d * g.v.x, d * g.v.y, d * g.v.z};
     weights_.for_each(i, [&](std::int64_t cell, double w) {
-      solid[static_cast<std::size_t>(cell - window_.first())] += w * grains_[i].volume;
+      auto& sum = sums[at(cell)];
+      for (std::size_t n = 0; n < terms.size(); ++n) sum[n] += w * terms[n];
     });
   }
-  window_.add_to_owners(solid, 1);
+  window_.add_to_owners({sums.data()->data(), 5 * sums.size()}, 5);
   volume_.resize(window_.size());
   eps_.assign(window_.size(), 1.0);
-  double fullest = 0.0;
+  law_.assign(window_.size(), {});
+  std::array<double, 2> largest{};  // solid fraction, Reynolds number
+  const double mean_diameter = this->mean_diameter();
   for (std::size_t c = 0; c < window_.size(); ++c) {
     volume_[c] = mesh.volume(window_.first() + static_cast<std::int64_t>(c));
     if (c < window_.own_first() || c >= window_.own_last()) continue;
-    eps_[c] = 1.0 - solid[c] / volume_[c];
-    fullest = std::max(fullest, 1.0 - eps_[c]);
-    if (eps_[c] > 0.0) continue;
-    const auto cell = window_.first() + static_cast<std::int64_t>(c);
-    const Vec3 x = mesh.center(cell);
-    throw DivergenceError(fmt::format(
-        "beads fill the cell at x = {:.4g}, y = {:.4g}, z = {:.4g} mm: solid fraction {:.4g} with "
-        "every bead at its full volume; the bed is compressed beyond what the model can tell",
-        1e3 * x.x, 1e3 * x.y, 1e3 * x.z, 1.0 - eps_[c]));
+    const auto& s = sums[c];
+    eps_[c] = 1.0 - s[0] / volume_[c];
+    if (eps_[c] <= 0.0) stop_at_full_cell(mesh, c);
+    const Vec3 v = s[1] > 0.0 ? (1.0 / s[1]) * Vec3{s[2], s[3], s[4]} : Vec3{};
+    const double re = set_law(c, norm(u_[c] - v), mean_diameter);
+    largest = {std::max(1.0 - eps_[c], largest[0]), std::max(re, largest[1])};
   }
+  ranks_.max(largest);
+  figures_ = {.largest_solid_fraction = largest[0], .largest_reynolds = largest[1]};
   window_.fill_from_owners(eps_, 1);
-  figures_.largest_solid_fraction = ranks_.max(fullest);
-  for (std::size_t i = 0; i < grains_.size(); ++i) grains_[i].eps = gather(i, eps_);
+  static_assert(sizeof(CellLaw) == 2 * sizeof(double));
+  window_.fill_from_owners({&law_.data()->slow, 2 * law_.size()}, 2);
 }
 
-void Coupling::find_coefficients() {
-  double largest = 0.0;
-  std::visit(
-      [&](const auto& law) {
-        for (std::size_t i = 0; i < grains_.size(); ++i) {
-          auto& g = grains_[i];
-          const double d = g.diameter / options_.coarse_grain;
-          const double eps = std::max(g.eps, options_.min_void_fraction.value_or(0.0));
-          const double slip = norm(gather(i, u_) - g.v);
-          const double re = bead_reynolds(options_.rho_f, options_.mu_f, d, eps, slip);
-          largest = std::max(largest, re);
-          g.k = grain_coefficient(law(1.0 - eps, re), options_.mu_f, g.diameter,
-                                  options_.coarse_grain, eps);
-        }
-      },
+void Coupling::stop_at_full_cell(const mesh::ColumnMesh& mesh, std::size_t c) const {
+  const Vec3 x = mesh.center(window_.first() + static_cast<std::int64_t>(c));
+  throw DivergenceError(fmt::format(
+      "beads fill the cell at x = {:.4g}, y = {:.4g}, z = {:.4g} mm: solid fraction {:.4g} with "
+      "every bead at its full volume; the bed is compressed beyond what the model can tell",
+      1e3 * x.x, 1e3 * x.y, 1e3 * x.z, 1.0 - eps_[c]));
+}
+
+/// Of the beads of all ranks [m].
+double Coupling::mean_diameter() const {
+  std::array<std::int64_t, 2> sums = {static_cast<std::int64_t>(grains_.size()), 0};
+  for (const auto& g : grains_) sums[1] += std::llround(1e12 * g.diameter);  // pm
+  ranks_.sum(sums);
+  return sums[0] > 0 ? 1e-12 * static_cast<double>(sums[1]) / static_cast<double>(sums[0]) : 1.0;
+}
+
+// F is taken at Re = 0 and at the Reynolds number of a bead of mean size, and as a straight line through both
+// for the others: exact for Koch and Hill. Returns that Reynolds number.
+double Coupling::set_law(std::size_t c, double slip, double mean_diameter) {
+  const double eps = std::max(eps_[c], options_.min_void_fraction.value_or(0.0));
+  const double d = mean_diameter / options_.coarse_grain;
+  const double re = bead_reynolds(options_.rho_f, options_.mu_f, d, eps, slip);
+  const auto [slow, fast] = std::visit(
+      [&](const auto& law) { return std::pair(law(1.0 - eps, 0.0), law(1.0 - eps, re)); },
       options_.drag);
-  figures_.largest_reynolds = ranks_.max(largest);
-}
-
-double Coupling::gather(std::size_t row, const std::vector<double>& field) const {
-  double sum = 0.0;
-  weights_.for_each(row, [&](std::int64_t cell, double w) {
-    sum += w * field[static_cast<std::size_t>(cell - window_.first())];
-  });
-  return sum;
-}
-
-Vec3 Coupling::gather(std::size_t row, const std::vector<Vec3>& field) const {
-  Vec3 sum;
-  weights_.for_each(row, [&](std::int64_t cell, double w) {
-    sum += w * field[static_cast<std::size_t>(cell - window_.first())];
-  });
-  return sum;
+  const auto per_diameter = [&](double factor) {
+    return grain_coefficient(factor, options_.mu_f, 1.0, options_.coarse_grain, eps);
+  };
+  law_[c] = {per_diameter(slow), per_diameter(fast - slow) / mean_diameter};
+  return re;
 }
 
 void Coupling::set_velocity(std::span<const Vec3> u) {
@@ -171,10 +177,10 @@ void Coupling::set_velocity(std::span<const Vec3> u) {
   window_.fill_from_owners(flat(u_), 3);
 }
 
-// The force at the instant is K (u - v) - V grad p, with u and grad p averaged by the weights, so that each
-// bead and cell exchange the same. A bead that moves otherwise than in the past interval feels
-// -rate (v' - v) more: with the flux frozen, the liquid that it displaces must flow back, which costs
-// K / eps + V B / eps^2 (design section 4); with the velocity frozen, K.
+// The force at the instant is sum w [K_c (u_c - v) - V (grad p)_c], so that each bead and cell exchange the same.
+// A bead that moves otherwise than in the past interval feels -rate (v' - v) more: with the flux frozen, the
+// liquid that it displaces must flow back, which costs K / eps + V B / eps^2 (design section 4); with the velocity
+// frozen, K.
 void Coupling::pull(const LiquidFields& liquid, dem::Dem& dem) {
   set_velocity(liquid.u);
   std::vector<Vec3> grad_p(window_.size());
@@ -183,12 +189,18 @@ void Coupling::pull(const LiquidFields& liquid, dem::Dem& dem) {
   window_.fill_from_owners(flat(grad_p), 3);
   auto drag = dem.drag();
   auto coupled_at = dem.coupled_at();
+  const bool frozen_flux = options_.scheme == Scheme::frozen_flux;
   for (std::size_t i = 0; i < grains_.size(); ++i) {
     const auto& g = grains_[i];
-    const Vec3 force = g.k * (gather(i, u_) - g.v) - g.volume * gather(i, grad_p);
-    const double rate = options_.scheme == Scheme::frozen_flux
-                            ? g.k / g.eps + g.volume * gather(i, exchange_) / (g.eps * g.eps)
-                            : g.k;
+    Vec3 force;
+    double rate = 0.0;
+    weights_.for_each(i, [&](std::int64_t cell, double w) {
+      const std::size_t c = at(cell);
+      const double k = law_[c](g.diameter);
+      const double eps = eps_[c];
+      force += (w * k) * (u_[c] - g.v) - (w * g.volume) * grad_p[c];
+      rate += w * (frozen_flux ? (k + g.volume * exchange_[c] / eps) / eps : k);
+    });
     Vec3 target = g.v + (1.0 / rate) * force;
     if (is_empty_y_) target.y = 0.0;  // nothing flows there
     drag[g.place] = {target, rate};

@@ -39,7 +39,7 @@ struct CouplingOptions {
 /// What the beads are to the liquid, one value per own cell.
 struct BedFields {
   std::vector<double> eps{};       ///< void fraction
-  std::vector<double> exchange{};  ///< B = sum w K / V [kg/(m3 s)]
+  std::vector<double> exchange{};  ///< B = sum w K / V, K in the cell [kg/(m3 s)]
   std::vector<Vec3> u_solid{};     ///< sum w K v / sum w K [m/s]
 };
 
@@ -52,7 +52,7 @@ struct LiquidFields {
 /// Extremes of the last instant, of all ranks.
 struct CouplingFigures {
   double largest_solid_fraction = 0.0;  ///< of a cell
-  double largest_reynolds = 0.0;        ///< of a bead
+  double largest_reynolds = 0.0;        ///< of a bead of mean size
 };
 
 class Coupling {
@@ -79,10 +79,14 @@ class Coupling {
 
  private:
   void find_beads(const dem::Dem& dem, double dt);
-  void sum_volumes(const mesh::ColumnMesh& mesh);
-  void find_coefficients();
-  [[nodiscard]] double gather(std::size_t row, const std::vector<double>& field) const;
-  [[nodiscard]] Vec3 gather(std::size_t row, const std::vector<Vec3>& field) const;
+  void sum_beads(const mesh::ColumnMesh& mesh);
+  [[nodiscard]] double mean_diameter() const;
+  double set_law(std::size_t c, double slip, double mean_diameter);
+  [[noreturn]] void stop_at_full_cell(const mesh::ColumnMesh& mesh, std::size_t c) const;
+  /// Place of a cell in the window.
+  [[nodiscard]] std::size_t at(std::int64_t cell) const {
+    return static_cast<std::size_t>(cell - window_.first());
+  }
 
   /// An own bead at an instant.
   struct Grain {
@@ -90,8 +94,13 @@ class Coupling {
     double volume = 0.0;    ///< [m3]
     double diameter = 0.0;  ///< [m]
     Vec3 v;                 ///< mean of the past interval [m/s]
-    double eps = 1.0;       ///< void fraction around it
-    double k = 0.0;         ///< drag coefficient [kg/s]
+  };
+
+  /// Drag coefficient of a grain in a cell over its diameter D: K = (slow + inertial D) D [kg/s].
+  struct CellLaw {
+    double slow = 0.0;      ///< at Re = 0 [kg/(m s)]
+    double inertial = 0.0;  ///< [kg/(m2 s)]
+    double operator()(double diameter) const { return (slow + inertial * diameter) * diameter; }
   };
 
   CouplingOptions options_;
@@ -104,6 +113,7 @@ class Coupling {
   std::vector<double> volume_{};  ///< of the cells [m3]
   std::vector<double> eps_{};
   std::vector<double> exchange_{};
+  std::vector<CellLaw> law_{};
   std::vector<Vec3> u_{};
   CouplingFigures figures_{};
 };

@@ -2,13 +2,14 @@
 // A small bed in a flow: what carries it, and what the interval of coupling and the scheme do.
 #include "column/coupled_bed.hpp"
 
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "column/protocol/bed_look.hpp"
 #include "column/protocol/flow_stage.hpp"
-#include "continuum/packed_bed.hpp"
+#include "core/error.hpp"
 #include "tests/support/settling.hpp"
 
 namespace packbed::column {
@@ -36,7 +37,7 @@ dem::Dem bed_at_rest(double inertia_scale) {
   dem::Dem dem(s.dem.options(), settled(), dem::Dem::Lists::as_saved);
   dem.set_background_damping(0.0);
   dem.set_inertia_scale(inertia_scale);
-  choose_step({.longest_step = 1.0}, dem);
+  choose_step({.longest_step = 1.0, .fixed_step = {}}, dem);
   return dem;
 }
 
@@ -81,59 +82,85 @@ TEST(CoupledBed, IsCarriedByFloorAndWalls) {
   EXPECT_GT(f.pressure_force, 2.0 * weight);
 }
 
-// The pressure drop is near that of Kozeny and Carman at the porosity and Sauter mean of the bed.
-TEST(CoupledBed, HasThePressureDropOfABed) {
+// The pressure drop is that of Koch and Hill at the porosities that the liquid sees, layer by layer, for beads
+// of several sizes: <d><d^3> / <d^2>^2 times that of their Sauter mean (D7).
+TEST(CoupledBed, HasThePressureDropOfItsLayers) {
   auto dem = bed_at_rest(100.0);
   auto bed = liquid();
   bed.start(dem);
   bed.set_flow(fluid::FlowProgram::steady(100 * cm_h));
   run(bed, dem, 0.2, 2e-3);
-  double cubes = 0.0;
-  double squares = 0.0;
+  std::array<double, 3> sums{};
   for (const auto& p : dem.particles().properties) {
-    cubes += std::pow(p.diameter, 3);
-    squares += std::pow(p.diameter, 2);
+    for (std::size_t k = 0; k < 3; ++k) sums[k] += std::pow(p.diameter, k + 1);
   }
-  const auto look = look_at_bed(dem, area);
-  const double expected = look.height * continuum::kozeny_carman_gradient(
-                                            look.porosity, cubes / squares, 1e-3, 100 * cm_h);
-  EXPECT_NEAR(bed.figures().pressure_drop / expected, 1.0, 0.15);  // its ends are looser
+  const double spread = sums[0] * sums[2] / (sums[1] * sums[1]);
+  const double d32 = sums[2] / sums[1];
+  const auto& mesh = bed.fluid().domain().mesh;
+  const auto cells = static_cast<std::size_t>(mesh.cells_per_layer());
+  // Between the middles of two layers inside the bed, away from its ends, which the kernel smears.
+  constexpr std::size_t low = 3;
+  constexpr std::size_t high = 6;
+  const auto mean = [&](std::size_t layer, auto value) {
+    double sum = 0.0;
+    for (std::size_t c = layer * cells; c < (layer + 1) * cells; ++c) sum += value(c);
+    return sum / static_cast<double>(cells);
+  };
+  double expected = 0.0;
+  for (std::size_t layer = low; layer <= high; ++layer) {
+    const double permeability =
+        mean(layer, [&](std::size_t c) {  // over viscosity; cells side by side
+          const double phi = 1.0 - bed.fluid().eps()[c];
+          return d32 * d32 / (18e-3 * spread * phi * coupling::KochHill::f0(phi));
+        });
+    const double share = layer == low || layer == high ? 0.5 : 1.0;
+    expected += share * 100 * cm_h * (mesh.level(1) - mesh.level(0)) / permeability;
+  }
+  const auto p = [&](std::size_t c) { return bed.fluid().dynamic_pressure()[c]; };
+  EXPECT_GT(look_at_bed(dem, area).height,
+            mesh.level(static_cast<std::int32_t>(high) + 1) + 0.75e-3);
+  // Some 100 beads: their <d> / <d^3> is that of all within 3 %.
+  EXPECT_NEAR((mean(high, p) - mean(low, p)) / expected, 1.0, 0.04);
 }
 
 struct Noise {
   double mean = 0.0;
-  double deviation = 0.0;  ///< of the pressure drop, over its mean
+  double deviation = 0.0;  ///< of the pressure drop, over it
   double height = 0.0;
 };
 
+/// After 0.4 s at 500 cm/h. Drift is no noise: second differences.
 Noise noise_of(coupling::Scheme scheme, double interval, double inertia_scale) {
   auto dem = bed_at_rest(inertia_scale);
   auto bed = liquid(scheme);
   bed.start(dem);
   bed.set_flow(fluid::FlowProgram::steady(500 * cm_h));
-  run(bed, dem, 0.1, interval);
+  run(bed, dem, 0.4, interval);
   std::vector<double> drops;
   for (int k = 0; k < 20; ++k) {
     run(bed, dem, interval, interval);
     drops.push_back(bed.figures().pressure_drop);
   }
-  Noise n{.height = look_at_bed(dem, area).height};
-  for (const double d : drops) n.mean += d / static_cast<double>(drops.size());
-  for (const double d : drops) n.deviation += std::pow(d / n.mean - 1.0, 2);
-  n.deviation = std::sqrt(n.deviation / static_cast<double>(drops.size()));
+  Noise n{.mean = drops.back(), .height = look_at_bed(dem, area).height};
+  for (std::size_t k = 2; k < drops.size(); ++k) {
+    n.deviation =
+        std::max(n.deviation, std::abs(drops[k] - 2.0 * drops[k - 1] + drops[k - 2]) / n.mean);
+  }
   return n;
 }
 
 // Design section 4: with the flux frozen neither noise nor result depend on the interval; with the velocity
-// of the liquid frozen the pressure does not come to rest.
+// of the liquid frozen and inertia unscaled the bed is torn apart.
 TEST(CoupledBed, IsQuietWithTheFluxFrozenAndNotWithTheVelocity) {
-  const auto fine = noise_of(coupling::Scheme::frozen_flux, 0.5e-3, 100.0);
-  const auto coarse = noise_of(coupling::Scheme::frozen_flux, 4e-3, 100.0);
-  const auto classical = noise_of(coupling::Scheme::frozen_velocity, 4e-3, 100.0);
-  EXPECT_NEAR(coarse.mean / fine.mean, 1.0, 2e-3);
+  const auto fine = noise_of(coupling::Scheme::frozen_flux, 0.5e-3, 1.0);
+  const auto coarse = noise_of(coupling::Scheme::frozen_flux, 4e-3, 1.0);
+  EXPECT_NEAR(coarse.mean / fine.mean, 1.0, 5e-3);  // a bed of 300 grains that starts with a jump
   EXPECT_NEAR(coarse.height, fine.height, 1e-6);
+  EXPECT_LT(fine.deviation, 1e-3);
   EXPECT_LT(coarse.deviation, 1e-3);
-  EXPECT_GT(classical.deviation, 10.0 * coarse.deviation);
+  try {  // beads are thrown about
+    EXPECT_GT(noise_of(coupling::Scheme::frozen_velocity, 4e-3, 1.0).deviation, 0.1);
+  } catch (const DivergenceError&) {}
 }
 
 TEST(CoupledBed, GoesOnFromASavedStateWithTheSameBits) {
@@ -170,7 +197,7 @@ TEST(FlowStage, GoesThroughItsPlateausAndTellsWhichWereNotSteady) {
   o.area = area;
   o.coupling_interval = 2e-3;
   o.inertia_scale = 100.0;
-  o.stepping = {.longest_step = 1.0};
+  o.stepping = {.longest_step = 1.0, .fixed_step = {}};
   FlowStage stage(o, bed);
   const double start = dem.time();
   stage.begin(dem);

@@ -48,7 +48,8 @@ double FlowStage::ramp_time() const {
 }
 
 void FlowStage::begin(dem::Dem& dem) {
-  state_.inertia_scale = options_.inertia_scale.value_or(chosen_inertia_scale(dem));
+  state_.inertia_scale =
+      options_.inertia_scale ? *options_.inertia_scale : chosen_inertia_scale(dem);
   dem.set_inertia_scale(state_.inertia_scale);
   if (!dem.particles().in_liquid) liquid_.start(dem);
   state_.next_output = dem.time() + options_.interval;
