@@ -49,14 +49,16 @@ Bed bed_of(const Fluid& liquid, bool filled) {
 int main(int argc, char** argv) {
   const MpiSession session;
   const auto ranks = Ranks::all();
-  const auto number = [&](int k, double otherwise) { return argc > k ? std::atof(argv[k]) : otherwise; };
+  const auto number = [&](int k, double otherwise) {
+    return argc > k ? std::atof(argv[k]) : otherwise;
+  };
   const mesh::CellCounts counts{.x = static_cast<std::int32_t>(number(1, 21)),
                                 .y = static_cast<std::int32_t>(number(2, 28)),
                                 .layers = static_cast<std::int32_t>(number(3, 60))};
   const int steps = static_cast<int>(number(4, 40));
   using enum mesh::Boundary;
-  const mesh::ColumnMesh mesh(mesh::Box{.size = {0.01, 0.01, 0.07}, .boundaries = {wall, wall, wall}},
-                              counts);
+  const mesh::ColumnMesh mesh(
+      mesh::Box{.size = {0.01, 0.01, 0.07}, .boundaries = {wall, wall, wall}}, counts);
   fluid::FluidOptions options{.rho_f = 1000.0};
   options.boundaries.y_low = options.boundaries.y_high = fluid::Wall{};
   options.boundaries.inlet = fluid::Inlet{fluid::FlowProgram::steady(1e-3)};
@@ -82,11 +84,16 @@ int main(int argc, char** argv) {
   }
   if (!ranks.is_first()) return 0;
   const auto half = static_cast<std::ptrdiff_t>(steps / 2);
-  const auto late = [&](const std::vector<double>& v) { return median({v.begin() + half, v.end()}); };
+  const auto late = [&](const std::vector<double>& v) {
+    return median({v.begin() + half, v.end()});
+  };
   fmt::print(
-      "{} cells {} ranks: {:.4f} s per step by wall time, {:.4f} by processor time (first step {:.3f}); pressure "
-      "iterations per step: first {:.0f}, median {:.1f}; momentum {}; continuity error {:.2e}; Courant {:.3g}\n",
-      mesh.cell_count(), ranks.size(), late(elapsed), late(cpu), elapsed.front(), iterations.front(),
-      late(iterations), report.momentum.iterations, report.continuity_error, report.courant);
+      "{} cells {} ranks: {:.4f} s per step by wall time, {:.4f} by processor time (first step "
+      "{:.3f}); pressure "
+      "iterations per step: first {:.0f}, median {:.1f}; momentum {}; continuity error {:.2e}; "
+      "Courant {:.3g}\n",
+      mesh.cell_count(), ranks.size(), late(elapsed), late(cpu), elapsed.front(),
+      iterations.front(), late(iterations), report.momentum.iterations, report.continuity_error,
+      report.courant);
   return 0;
 }

@@ -21,9 +21,9 @@ struct Border {
   std::vector<mesh::Patch> patch;
   std::vector<Vec3> wall_velocity;  ///< along the face; 0 where there is no wall [m/s]
   std::vector<double> wall_eps;     ///< void fraction at a wall; 0: that of the cell
-  std::vector<double> inward;       ///< superficial velocity into the column, through the patch [m/s]
-  std::vector<double> pressure;     ///< dynamic pressure at outlets [Pa]
-  bool has_outlet = false;          ///< of any rank
+  std::vector<double> inward;    ///< superficial velocity into the column, through the patch [m/s]
+  std::vector<double> pressure;  ///< dynamic pressure at outlets [Pa]
+  bool has_outlet = false;       ///< of any rank
 
   [[nodiscard]] std::size_t size() const { return kind.size(); }
 };
@@ -42,10 +42,13 @@ void update(Border& border,
 inline Vec3 border_velocity(
     const Border& border, std::size_t b, const Vec3& n, const Vec3& u, double normal_velocity) {
   switch (border.kind[b]) {
-    case BorderKind::wall: return border.wall_velocity[b] + normal_velocity * n;
-    case BorderKind::slip: return u + (normal_velocity - dot(u, n)) * n;
+    case BorderKind::wall:
+      return border.wall_velocity[b] + normal_velocity * n;
+    case BorderKind::slip:
+      return u + (normal_velocity - dot(u, n)) * n;
     case BorderKind::inlet:
-    case BorderKind::outlet: break;
+    case BorderKind::outlet:
+      break;
   }
   // What flows in has no velocity along the patch; what flows out keeps it.
   return normal_velocity < 0.0 ? normal_velocity * n : u + (normal_velocity - dot(u, n)) * n;

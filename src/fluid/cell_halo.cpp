@@ -25,7 +25,8 @@ CellHalo::CellHalo(const mesh::MeshPart& part,
     with.rank = static_cast<int>(r);
     with.first = first[r];
     with.count = wanted[r].size();
-    for (const auto cell : asked[r]) with.send.push_back(static_cast<std::uint32_t>(cell - first_own));
+    for (const auto cell : asked[r])
+      with.send.push_back(static_cast<std::uint32_t>(cell - first_own));
   }
 }
 

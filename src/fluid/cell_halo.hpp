@@ -32,8 +32,7 @@ class CellHalo {
         std::memcpy(with.out.data() + k * sizeof(T), &field[with.send[k]], sizeof(T));
       }
       const auto to = std::span(field).subspan(with.first, with.count);
-      mails.push_back(
-          {.rank = with.rank, .out = with.out, .in = std::as_writable_bytes(to)});
+      mails.push_back({.rank = with.rank, .out = with.out, .in = std::as_writable_bytes(to)});
     }
     ranks_.trade(mails);
   }

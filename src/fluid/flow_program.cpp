@@ -21,9 +21,10 @@ FlowProgram FlowProgram::through(std::vector<Point> points) {
                                    k + 1, p.time, p.velocity));
     }
     if (k > 0 && p.time < points[k - 1].time) {
-      throw ValueError(fmt::format("point {} of the flow program is at {} s, before the one at "
-                                   "{} s; give points in the order of time",
-                                   k + 1, p.time, points[k - 1].time));
+      throw ValueError(
+          fmt::format("point {} of the flow program is at {} s, before the one at "
+                      "{} s; give points in the order of time",
+                      k + 1, p.time, points[k - 1].time));
     }
     if (k > 1 && p.time == points[k - 2].time) {
       throw ValueError(

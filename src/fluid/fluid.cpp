@@ -250,9 +250,9 @@ std::vector<Vec3> Fluid::predicted(Step& s, const std::vector<Vec3>& force) {
   std::vector<Vec3> rhs(own);
   std::vector<double> momentum(own);
   for (std::size_t c = 0; c < own; ++c) {
-    rhs[c] = domain_.part.volume[c] *
-             (s.end * force[c] + s.fixed_force[c] - s.implicit_drag[c] * u_[c] -
-              s.inertia[c] * (u_[c] - s.u_old[c]) - eps_[c] * grad_p_[c]);
+    rhs[c] =
+        domain_.part.volume[c] * (s.end * force[c] + s.fixed_force[c] - s.implicit_drag[c] * u_[c] -
+                                  s.inertia[c] * (u_[c] - s.u_old[c]) - eps_[c] * grad_p_[c]);
     momentum[c] = s.matrix.diagonal[c] * norm(u_[c]);
   }
   auto u = solve_momentum(domain_, momentum_solver_, s.matrix, rhs, options_,
@@ -266,8 +266,10 @@ std::vector<double> Fluid::displaced(const Step& s) const {
   std::vector<double> all(domain_.own());
   for (std::size_t c = 0; c < all.size(); ++c) {
     const double volume = domain_.part.volume[c];
-    all[c] = s.bed.source[c] * volume -
-             (eps_[c] * volume - s.eps_old[c] * s.volume_old[c]) / s.dt;
+    // eps V less its old value, in a form that is 0 to the last bit where nothing has changed.
+    const double gained =
+        (eps_[c] - s.eps_old[c]) * volume + s.eps_old[c] * (volume - s.volume_old[c]);
+    all[c] = s.bed.source[c] * volume - gained / s.dt;
   }
   return all;
 }
@@ -278,7 +280,8 @@ void Fluid::set_face_velocity(const Step& s) {
   for (std::size_t f = 0; f < domain_.faces(); ++f) {
     if (f >= inner && border_.kind[f - inner] != BorderKind::outlet) continue;
     const double other = f < inner ? p_[domain_.neighbor(f)] : border_.pressure[f - inner];
-    q_[f] = s.conductance[f] / domain_.geometry.area[f] * (p_[domain_.owner(f)] - other + s.push[f]);
+    q_[f] =
+        s.conductance[f] / domain_.geometry.area[f] * (p_[domain_.owner(f)] - other + s.push[f]);
   }
   set_flux();
 }
@@ -303,8 +306,8 @@ void Fluid::solve_pressure(Step& s) {
   const auto through = throughflow();
   const double size = norm_of(domain_.ranks, through);
   std::vector<double> change(domain_.cells(), 0.0);
-  s.report.pressure.push_back(pressure_solver_.solve(domain_, border_, s.conductance, rhs, size,
-                                                     options_, change));
+  s.report.pressure.push_back(
+      pressure_solver_.solve(domain_, border_, s.conductance, rhs, size, options_, change));
   for (std::size_t c = 0; c < domain_.cells(); ++c) p_[c] += change[c];
   set_face_velocity(s);
 }
@@ -321,7 +324,8 @@ std::vector<double> Fluid::pattern() {
 void Fluid::damp(Step& s, const std::vector<double>& pattern_now) {
   const auto take = [&](double weight, const std::vector<double>& from) {
     for (std::size_t f = 0; f < domain_.inner(); ++f) {
-      s.push[f] -= std::min(1.0, weight * s.damping[f]) * from[f] * domain_.geometry.area[f] / s.conductance[f];
+      s.push[f] -= std::min(1.0, weight * s.damping[f]) * from[f] * domain_.geometry.area[f] /
+                   s.conductance[f];
     }
   };
   if (s.end < 1.0) take((1.0 - s.end) / s.end, s.pattern_old);
@@ -334,8 +338,8 @@ void Fluid::correct(Step& s, const std::vector<Vec3>& force) {
   auto drive = predicted(s, force);
   for (std::size_t c = 0; c < own; ++c) {
     const auto& m = s.balance[c];
-    drive[c] = (m.resistance * eps_[c]) * drive[c] - (m.inertia * s.eps_old[c]) * s.u_old[c] +
-               grad_p_[c];
+    drive[c] =
+        (m.resistance * eps_[c]) * drive[c] - (m.inertia * s.eps_old[c]) * s.u_old[c] + grad_p_[c];
   }
   drive.resize(domain_.cells());
   domain_.halo.refresh(drive);
@@ -345,8 +349,8 @@ void Fluid::correct(Step& s, const std::vector<Vec3>& force) {
   set_velocity(s);
   for (std::size_t c = 0; c < own; ++c) {
     const auto& m = s.balance[c];
-    grad_p_[c] = drive[c] + (m.inertia * s.eps_old[c]) * s.u_old[c] -
-                 (m.resistance * eps_[c]) * u_[c];
+    grad_p_[c] =
+        drive[c] + (m.inertia * s.eps_old[c]) * s.u_old[c] - (m.resistance * eps_[c]) * u_[c];
   }
   domain_.halo.refresh(grad_p_);
   s.report.residual.push_back(norm_of(domain_.ranks, continuity_errors(s)));
@@ -397,8 +401,9 @@ void Fluid::report(Step& s) const {
   s.report.largest_error = over(largest[0], largest[1]);
   s.report.courant = largest[2];
   if (!std::isfinite(largest[0]) || !std::isfinite(largest[2])) {
-    throw DivergenceError(fmt::format(
-        "the liquid has velocities that are not finite after the step of {} s to {} s", s.dt, time_));
+    throw DivergenceError(
+        fmt::format("the liquid has velocities that are not finite after the step of {} s to {} s",
+                    s.dt, time_));
   }
 }
 

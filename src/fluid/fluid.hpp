@@ -29,12 +29,14 @@ namespace packbed::fluid {
 /// What the beads are to the liquid, at the end of a step; one value per own cell. An empty field has its
 /// default everywhere.
 struct Bed {
-  std::vector<double> eps{};       ///< void fraction, in (0, 1]; default 1
-  std::vector<double> exchange{};  ///< of momentum: drag over slip, per volume; default 0 [kg/(m3 s)]
-  std::vector<Vec3> u_solid{};     ///< velocity of the beads; default 0 [m/s]
-  std::vector<double> source{};    ///< liquid that comes out of the beads, with their velocity, per volume;
-                                   ///< what goes into them (< 0) has that of the liquid; default 0 [1/s]
-  std::vector<Vec3> force{};       ///< further force on the liquid, per volume; default 0 [N/m3]
+  std::vector<double> eps{};  ///< void fraction, in (0, 1]; default 1
+  std::vector<double>
+      exchange{};               ///< of momentum: drag over slip, per volume; default 0 [kg/(m3 s)]
+  std::vector<Vec3> u_solid{};  ///< velocity of the beads; default 0 [m/s]
+  std::vector<double>
+      source{};  ///< liquid that comes out of the beads, with their velocity, per volume;
+                 ///< what goes into them (< 0) has that of the liquid; default 0 [1/s]
+  std::vector<Vec3> force{};  ///< further force on the liquid, per volume; default 0 [N/m3]
 };
 
 /// What a step took and left. Residuals are worked out by `Fluid` itself.
@@ -42,9 +44,9 @@ struct StepReport {
   SolveReport momentum{};               ///< sums of three components
   std::vector<SolveReport> pressure{};  ///< one per corrector [m3/s]
   std::vector<double> residual{};       ///< of the pressure equation after each corrector [m3/s]
-  double continuity_error = 0.0;        ///< 2-norm of that of the cells, over that of what passes them
-  double largest_error = 0.0;           ///< of a cell, over the largest that passes one
-  double courant = 0.0;                 ///< largest dt / (2 eps V) sum_f |flux|
+  double continuity_error = 0.0;  ///< 2-norm of that of the cells, over that of what passes them
+  double largest_error = 0.0;     ///< of a cell, over the largest that passes one
+  double courant = 0.0;           ///< largest dt / (2 eps V) sum_f |flux|
 };
 
 class Fluid {

@@ -23,11 +23,11 @@ struct CellRecord {
 };
 
 struct FaceRecord {
-  std::int64_t face = 0;      ///< Domain::face_number
-  std::int64_t owner = 0;     ///< cell
-  double q = 0.0;             ///< normal superficial velocity [m/s]
-  double pressure = 0.0;      ///< dynamic; of border faces [Pa]
-  double conductance = 0.0;   ///< by which the preconditioner was made; 0 if there is none
+  std::int64_t face = 0;     ///< Domain::face_number
+  std::int64_t owner = 0;    ///< cell
+  double q = 0.0;            ///< normal superficial velocity [m/s]
+  double pressure = 0.0;     ///< dynamic; of border faces [Pa]
+  double conductance = 0.0;  ///< by which the preconditioner was made; 0 if there is none
 };
 
 struct FluidState {

@@ -63,12 +63,15 @@ Vec3 border_stress(const Domain& domain,
   const double scale = g.area[f] / g.d_owner[f];
   const Vec3 across = dot(difference, n) * n;
   switch (border.kind[b]) {
-    case BorderKind::wall: return scale * (difference - across);
-    case BorderKind::slip: return (2.0 * scale) * across + bulk();
+    case BorderKind::wall:
+      return scale * (difference - across);
+    case BorderKind::slip:
+      return (2.0 * scale) * across + bulk();
     case BorderKind::inlet:
       if (border.inward[b] > 0.0) return scale * (difference + across) + bulk();
       break;
-    case BorderKind::outlet: break;
+    case BorderKind::outlet:
+      break;
   }
   // Nothing changes across an open face; along it (grad u)^T n goes on as between cells.
   const Vec3 along = transposed_times(grad[domain.owner(f)], n);
@@ -98,8 +101,8 @@ std::vector<Vec3> border_velocities(const Domain& domain, const Border& border, 
   for (std::size_t b = 0; b < all.size(); ++b) {
     const auto f = domain.inner() + b;
     const auto p = domain.owner(f);
-    all[b] = border_velocity(border, b, domain.geometry.normal[f], flow.u[p],
-                             flow.q[f] / flow.eps[p]);
+    all[b] =
+        border_velocity(border, b, domain.geometry.normal[f], flow.u[p], flow.q[f] / flow.eps[p]);
   }
   return all;
 }
@@ -128,7 +131,8 @@ std::vector<Vec3> forces(Domain& domain,
   for (std::size_t b = 0; b < border.size(); ++b) {
     const auto f = domain.inner() + b;
     const auto p = domain.owner(f);
-    force[p] += (options.mu_f * face_eps[f]) * border_stress(domain, border, flow, at_border, grad, b);
+    force[p] +=
+        (options.mu_f * face_eps[f]) * border_stress(domain, border, flow, at_border, grad, b);
     if (convects && flow.flux[f] < 0.0) {
       force[p] -= (options.rho_f * flow.flux[f]) * (at_border[b] - flow.u[p]);
     }

@@ -15,15 +15,17 @@ namespace packbed::fluid {
 
 /// The state of the liquid that its forces depend on.
 struct Flow {
-  std::span<const Vec3> u;        ///< interstitial velocity, all cells [m/s]
-  std::span<const double> q;      ///< normal superficial velocity (eps u).n, one per face [m/s]
-  std::span<const double> flux;   ///< volume flux relative to the face, one per face [m3/s]
-  std::span<const double> eps;    ///< void fraction, all cells
+  std::span<const Vec3> u;       ///< interstitial velocity, all cells [m/s]
+  std::span<const double> q;     ///< normal superficial velocity (eps u).n, one per face [m/s]
+  std::span<const double> flux;  ///< volume flux relative to the face, one per face [m3/s]
+  std::span<const double> eps;   ///< void fraction, all cells
 };
 
 /// Void fraction by which viscous forces act at each face: that of two half cells in series; at a border
 /// that of the cell, or of the wall.
-std::vector<double> viscous_eps(const Domain& domain, const Border& border, std::span<const double> eps);
+std::vector<double> viscous_eps(const Domain& domain,
+                                const Border& border,
+                                std::span<const double> eps);
 
 /// Velocity at each border face [m/s].
 std::vector<Vec3> border_velocities(const Domain& domain, const Border& border, const Flow& flow);

@@ -96,8 +96,7 @@ Geometry geometry(const mesh::MeshPart& part) {
     g.reconstruct.push_back(inverse(reconstruct[c]));
     g.least_squares.push_back(inverse(least_squares[c]));
     // A direction without inner faces has no flux either; the matrix only must not be singular.
-    const double little =
-        1e-9 * (reconstruct[c].xx + reconstruct[c].yy + reconstruct[c].zz);
+    const double little = 1e-9 * (reconstruct[c].xx + reconstruct[c].yy + reconstruct[c].zz);
     inner[c].xx += little;
     inner[c].yy += little;
     inner[c].zz += little;

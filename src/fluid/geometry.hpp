@@ -45,9 +45,9 @@ struct Geometry {
   std::vector<Vec3> from_owner;    ///< from the owner's center to the face's center [m]
   std::vector<Vec3> skew;          ///< from where delta_f cuts the face to its center [m]
   // --- own cells
-  std::vector<Symmetric> reconstruct;    ///< inverse of sum |S| n n^T [1/m2]
+  std::vector<Symmetric> reconstruct;        ///< inverse of sum |S| n n^T [1/m2]
   std::vector<Symmetric> reconstruct_inner;  ///< the same, of faces between cells
-  std::vector<Symmetric> least_squares;  ///< inverse of sum d d^T / d^2 over faces
+  std::vector<Symmetric> least_squares;      ///< inverse of sum d d^T / d^2 over faces
 
   /// Whether no delta_f and no line from a center to a face leans: boxes and slices.
   bool orthogonal = true;

@@ -74,8 +74,7 @@ std::vector<double> unseen(Domain& domain,
     once[f] = lacks(f, q[f], v);
     if (!grad_v.empty()) {
       const double w = g.owner_weight(f);
-      const Tensor at_face =
-          w * grad_v[domain.owner(f)] + (1.0 - w) * grad_v[domain.neighbor(f)];
+      const Tensor at_face = w * grad_v[domain.owner(f)] + (1.0 - w) * grad_v[domain.neighbor(f)];
       once[f] -= dot(g.normal[f], at_face * g.skew[f]);
     }
     const Vec3 part = (once[f] * g.area[f]) * g.normal[f];

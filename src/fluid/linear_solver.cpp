@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fluid/linear_solver.hpp"
 
+#include <algorithm>
+#include <array>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -53,8 +56,8 @@ struct Attempt {
 };
 
 std::string told(const char* with, const Attempt& a) {
-  return fmt::format("{}: {} iterations from {:.3e} to {:.3e} (PETSc reason {})", with, a.iterations,
-                     a.first, a.last, a.reason);
+  return fmt::format("{}: {} iterations from {:.3e} to {:.3e} (PETSc reason {})", with,
+                     a.iterations, a.first, a.last, a.reason);
 }
 
 }  // namespace
@@ -64,7 +67,7 @@ struct LinearSolver::Petsc {
   bool constants;
   MPI_Comm comm = MPI_COMM_NULL;
   Mat matrix = nullptr;
-  Vec x = nullptr, b = nullptr;
+  Vec x = nullptr, b = nullptr, r = nullptr;
   KSP solver = nullptr;
   std::size_t own = 0;
   std::size_t inner = 0;
@@ -76,11 +79,14 @@ struct LinearSolver::Petsc {
     KSPDestroy(&solver);
     VecDestroy(&x);
     VecDestroy(&b);
+    VecDestroy(&r);
     MatDestroy(&matrix);
   }
 
   void make_matrix(const Domain& domain);
   void make_solver(bool plain);
+  [[nodiscard]] double rounding_floor() const;
+  PetscErrorCode solve_once(double target, int most, Attempt& all);
   Attempt attempt(std::span<const double> rhs, std::span<double> guess, double target, int most);
 };
 
@@ -107,6 +113,7 @@ void LinearSolver::Petsc::make_matrix(const Domain& domain) {
     check(MatNullSpaceDestroy(&space));
   }
   check(MatCreateVecs(matrix, &x, &b));
+  check(VecDuplicate(b, &r));
 }
 
 /// Plain: no multigrid, for systems on which that fails.
@@ -133,32 +140,54 @@ void LinearSolver::Petsc::make_solver(bool plain) {
   check(KSPSetReusePreconditioner(solver, PETSC_FALSE));
 }
 
+/// Iterates; the residual that the method carries along drifts from the true one, which alone counts: where that is
+/// still too large, it goes on from there, as far as rounding lets any go.
 Attempt LinearSolver::Petsc::attempt(std::span<const double> rhs,
                                      std::span<double> guess,
                                      double target,
                                      int most) {
-  Attempt told;
-  std::vector<double> history(static_cast<std::size_t>(most) + 2);
-  check(KSPSetTolerances(solver, 0.0, target, 1e30, most));
-  check(KSPSetResidualHistory(solver, history.data(), static_cast<PetscInt>(history.size()),
-                              PETSC_TRUE));
+  constexpr double slack = 1.01;  // of rounding between the two residuals
+  constexpr int most_rounds = 3;
+  Attempt all;
   check(VecPlaceArray(b, rhs.data()));
   check(VecPlaceArray(x, guess.data()));
-  const auto code = KSPSolve(solver, b, x);
+  PetscErrorCode code = 0;
+  for (int round = 0; code == 0 && round < most_rounds && !all.good; ++round) {
+    code = solve_once(target, most, all);
+    if (all.reason < 0) break;
+    all.good = all.last <= slack * std::max(target, rounding_floor());
+  }
   check(VecResetArray(x));
   check(VecResetArray(b));
   check(code);
+  return all;
+}
+
+/// Rounding of b - A x: some units in the last place of the diagonal times x, as a 2-norm.
+double LinearSolver::Petsc::rounding_floor() const {
+  double size = 0.0;
+  check(MatGetDiagonal(matrix, r));
+  check(VecPointwiseMult(r, r, x));
+  check(VecNorm(r, NORM_2, &size));
+  return 4.0 * std::numeric_limits<double>::epsilon() * size;
+}
+
+PetscErrorCode LinearSolver::Petsc::solve_once(double target, int most, Attempt& all) {
+  double first = 0.0;
+  check(MatResidual(matrix, b, x, r));
+  check(VecNorm(r, NORM_2, &first));
+  if (all.iterations == 0) all.first = first;
+  check(KSPSetTolerances(solver, 0.0, target, 1e30, most));
+  if (const auto code = KSPSolve(solver, b, x); code != 0) return code;
   KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
   PetscInt iterations = 0;
   check(KSPGetConvergedReason(solver, &reason));
   check(KSPGetIterationNumber(solver, &iterations));
-  check(KSPGetResidualNorm(solver, &told.last));
-  check(KSPSetResidualHistory(solver, nullptr, 0, PETSC_TRUE));
-  told.first = history[0];
-  told.iterations = static_cast<int>(iterations);
-  told.reason = reason;
-  told.good = reason > 0;
-  return told;
+  check(MatResidual(matrix, b, x, r));
+  check(VecNorm(r, NORM_2, &all.last));
+  all.iterations += static_cast<int>(iterations);
+  all.reason = reason;
+  return 0;
 }
 
 LinearSolver::LinearSolver(const Domain& domain, Method method, bool constants) {
@@ -229,8 +258,8 @@ SolveReport LinearSolver::solve(std::span<const double> b,
     history += told(names[static_cast<std::size_t>(trial)], a) + (trial < 2 ? "; " : "");
     std::copy(guess.begin(), guess.end(), x.begin());
   }
-  throw DivergenceError(fmt::format("the solve for {} does not reach a residual of {:.3e}; {}", what,
-                                    target, history));
+  throw DivergenceError(fmt::format("the solve for {} does not reach a residual of {:.3e}; {}",
+                                    what, target, history));
 }
 
 std::vector<double> residual(const Domain& domain,

@@ -25,8 +25,8 @@ enum class Method {
 struct SolveReport {
   int iterations = 0;
   double first_residual = 0.0;
-  double last_residual = 0.0;  ///< what the solver says; `Fluid` works it out again
-  int rebuilt = 0;             ///< how often the preconditioner was made anew
+  double last_residual = 0.0;
+  int rebuilt = 0;  ///< how often the preconditioner was made anew
 };
 
 /// Values of a matrix with one entry per cell and side of an inner face.

@@ -10,7 +10,8 @@ namespace {
 
 void require(bool good, const char* name, double value, const char* accepted) {
   if (good) return;
-  throw ValueError(fmt::format("{} = {} of the liquid is refused; accepted: {}", name, value, accepted));
+  throw ValueError(
+      fmt::format("{} = {} of the liquid is refused; accepted: {}", name, value, accepted));
 }
 
 }  // namespace

@@ -14,9 +14,9 @@ namespace packbed::fluid {
 enum class Convection { none, upwind, central, limited };
 
 struct FluidOptions {
-  double rho_f = 998.2;            ///< density [kg/m3]
-  double mu_f = 1.0e-3;            ///< dynamic viscosity [Pa s]
-  Vec3 gravity{0.0, 0.0, -9.81};   ///< [m/s2]
+  double rho_f = 998.2;           ///< density [kg/m3]
+  double mu_f = 1.0e-3;           ///< dynamic viscosity [Pa s]
+  Vec3 gravity{0.0, 0.0, -9.81};  ///< [m/s2]
   Boundaries boundaries{};
 
   /// 0: Euler; 1: Crank-Nicolson; the thesis: 0.3. Convection and viscous forces at the end of the

@@ -18,7 +18,8 @@ namespace packbed::fluid {
 /// What a run that goes on from here must know of the solver: from what its preconditioner was made.
 struct PreconditionerState {
   std::vector<double> conductance;  ///< one per face; empty: it will be made at the next solve
-  double per_decade = 0.0;          ///< iterations per factor 10 of residual, when it was new; 0: not yet known
+  double per_decade =
+      0.0;  ///< iterations per factor 10 of residual, when it was new; 0: not yet known
 };
 
 class PressureSolver {

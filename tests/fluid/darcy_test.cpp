@@ -50,6 +50,7 @@ Bed bed_of(const Fluid& fluid, const std::function<double(double)>& eps_at, doub
 }
 
 void steps(Fluid& fluid, int count, double dt, const Bed& bed) {
+  fluid.start(bed, std::vector<Vec3>(fluid.domain().own()), 0.0);
   for (int k = 0; k < count; ++k) fluid.step(dt, bed);
 }
 
@@ -66,7 +67,8 @@ TEST(Darcy, TwoLayersAddUpForAnyStep) {
   const double u0 = 1e-3;
   for (const double dt : {1e-5, 1e-3, 1.0}) {
     auto fluid = column(options(u0, false));
-    const auto bed = bed_of(fluid, [](double z) { return z > 10e-3 ? 0.4 : 0.3; }, 100e-6);
+    const auto bed = bed_of(
+        fluid, [](double z) { return z > 10e-3 ? 0.4 : 0.3; }, 100e-6);
 
     steps(fluid, 3, dt, bed);
 
@@ -106,7 +108,8 @@ TEST(Darcy, StepOfTheFlowIsFollowedAtOnce) {
     o.crank_nicolson = cn;
     o.boundaries.inlet = Inlet{FlowProgram::through({{0.0, u0}, {0.01, u0}, {0.01, 2 * u0}})};
     auto fluid = column(o);
-    const auto bed = bed_of(fluid, [](double z) { return z > 10e-3 ? 0.4 : 0.3; }, 10e-6);
+    const auto bed = bed_of(
+        fluid, [](double z) { return z > 10e-3 ? 0.4 : 0.3; }, 10e-6);
     steps(fluid, 9, 1e-3, bed);
     EXPECT_NEAR(pressure_drop(fluid), 427916.67, 1.0);
 
@@ -127,7 +130,9 @@ TEST(Drag, BringsLiquidToTheBedWithoutOvershoot) {
       FluidOptions o{.rho_f = rho, .mu_f = mu, .gravity = {}};
       o.crank_nicolson = cn;
       o.momentum_tolerance = 1e-13;
-      const BoxCase box{{1e-3, 1e-3, 1e-3}, {2, 2, 2}, {Boundary::periodic, Boundary::periodic, Boundary::periodic}};
+      const BoxCase box{{1e-3, 1e-3, 1e-3},
+                        {2, 2, 2},
+                        {Boundary::periodic, Boundary::periodic, Boundary::periodic}};
       auto fluid = make_fluid(o, box.mesh());
       Bed bed;
       bed.eps.assign(8, 0.4);
@@ -172,7 +177,8 @@ TEST(FixedBed, HasTheDropOfKozenyCarmanAndOfKochHill) {
       auto fluid = column(options(u0));
       Bed bed;
       bed.eps.assign(fluid.domain().own(), b.eps);
-      bed.exchange.assign(fluid.domain().own(), kozeny ? kozeny_carman(b.eps, d) : koch_hill(b.eps, d, u0 / b.eps));
+      bed.exchange.assign(fluid.domain().own(),
+                          kozeny ? kozeny_carman(b.eps, d) : koch_hill(b.eps, d, u0 / b.eps));
 
       steps(fluid, 5, 1e-2, bed);
 

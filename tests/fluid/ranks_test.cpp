@@ -12,7 +12,8 @@ namespace {
 using namespace test;  // NOLINT
 
 mesh::ColumnMesh column() {
-  return {mesh::Cylinder{.inner_diameter = 4e-3, .height = 6e-3}, {.core = 6, .ring = 3, .layers = 12}};
+  return {mesh::Cylinder{.inner_diameter = 4e-3, .height = 6e-3},
+          {.core = 6, .ring = 3, .layers = 12}};
 }
 
 FluidOptions options_of_column() {
@@ -56,7 +57,8 @@ double difference(const Fluid& shared, const Fluid& alone, const Ranks& ranks) {
   for (std::size_t c = 0; c < shared.domain().own(); ++c) {
     m[0] = std::max(m[0], norm(shared.u()[c] - alone.u()[first + c]));
     m[1] = std::max(m[1], norm(alone.u()[first + c]));
-    m[2] = std::max(m[2], std::abs(shared.dynamic_pressure()[c] - alone.dynamic_pressure()[first + c]));
+    m[2] = std::max(m[2],
+                    std::abs(shared.dynamic_pressure()[c] - alone.dynamic_pressure()[first + c]));
     m[3] = std::max(m[3], std::abs(alone.dynamic_pressure()[first + c]));
   }
   ranks.max(m);
@@ -69,7 +71,8 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
 }
 
 bool same_bits(const Fluid& a, const Fluid& b, const Ranks& ranks) {
-  const bool same = same_bits(a.u(), b.u()) && same_bits(a.dynamic_pressure(), b.dynamic_pressure()) &&
+  const bool same = same_bits(a.u(), b.u()) &&
+                    same_bits(a.dynamic_pressure(), b.dynamic_pressure()) &&
                     same_bits(a.q(), b.q()) && same_bits(a.border_pressure(), b.border_pressure());
   return ranks.max(same ? 0.0 : 1.0) == 0.0;
 }
@@ -111,7 +114,8 @@ bool passes(const Ranks& ranks) {
 
   auto other = equal;
   std::vector<std::int64_t> weights;
-  for (std::int64_t c = 0; c < mesh.cell_count(); ++c) weights.push_back(c < mesh.cell_count() / 2 ? 3 : 1);
+  for (std::int64_t c = 0; c < mesh.cell_count(); ++c)
+    weights.push_back(c < mesh.cell_count() / 2 ? 3 : 1);
   other.cut(weights);
   again.repartition(equal, other);
   advance(again, 12, 20);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // F1: decaying vortices in a doubly periodic box, an exact solution of the Navier-Stokes equations.
-#include <cstdio>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -30,14 +29,15 @@ double pressure(const Vec3& x, double t) {
   return rho * decay * decay / 4.0 * (std::cos(2 * wave * x.x) + std::cos(2 * wave * x.z));
 }
 
-Fluid vortices(int n, double crank_nicolson, Convection convection, int correctors = 2) {
+Fluid vortices(int n, double crank_nicolson, Convection convection) {
   FluidOptions o{.rho_f = rho, .mu_f = mu, .gravity = {}};
   o.crank_nicolson = crank_nicolson;
-  o.correctors = correctors;
   o.convection = convection;
   o.pressure_tolerance = 1e-10;
   o.momentum_tolerance = 1e-10;
-  const BoxCase box{{side, side / 4, side}, {n, 1, n}, {Boundary::periodic, Boundary::periodic, Boundary::periodic}};
+  const BoxCase box{{side, side / 4, side},
+                    {n, 1, n},
+                    {Boundary::periodic, Boundary::periodic, Boundary::periodic}};
   auto fluid = make_fluid(o, box.mesh());
   fluid.start({}, field(fluid, [](const Vec3& x) { return velocity(x, 0.0); }), 0.0);
   return fluid;
@@ -52,42 +52,49 @@ Errors errors(int n, int steps, double crank_nicolson, Convection convection) {
   auto fluid = vortices(n, crank_nicolson, convection);
   for (int k = 0; k < steps; ++k) fluid.step(end / steps, {});
   const double t = fluid.time();
-  return {velocity_error(fluid, [&](const Vec3& x) { return velocity(x, t); }) / speed,
-          pressure_error(fluid, [&](const Vec3& x) { return pressure(x, t); }) / (rho * speed * speed)};
+  return {
+      velocity_error(fluid, [&](const Vec3& x) { return velocity(x, t); }) / speed,
+      pressure_error(fluid, [&](const Vec3& x) { return pressure(x, t); }) / (rho * speed * speed)};
 }
 
 TEST(TaylorGreen, DecaysWithOrderTwoInSpace) {
   for (const auto convection : {Convection::central, Convection::limited}) {
-    std::vector<double> h, u, p;
+    std::vector<double> h;
+    std::vector<double> u;
+    std::vector<double> p;
     for (const int n : {8, 16, 32, 64}) {
-      const auto e = errors(n, n * n / 16, 1.0, convection);
-      std::printf("%d %g %g\n", n, e.u, e.p);
+      const auto e = errors(n, n, 1.0, convection);
       h.push_back(1.0 / n);
       u.push_back(e.u);
       p.push_back(e.p);
     }
-    std::printf("orders %g %g\n", fitted_order(h, u), fitted_order(h, p));
+
     EXPECT_GT(fitted_order(h, u), 1.9);
+    EXPECT_GT(fitted_order(h, p), 1.8);
+    EXPECT_LT(u.back(), 1e-3);
   }
 }
 
-TEST(TaylorGreen, TimeOrder) {
-  for (const int corr : {2, 3, 4}) for (const double cn : {0.0, 1.0}) {
-    std::vector<double> h, u;
-    const int n = 16;
-    auto fine = vortices(n, 1.0, Convection::central, 3);
-    for (int k = 0; k < 640; ++k) fine.step(end / 640, {});
-    const auto begin = fine.save();
-    for (int k = 0; k < 640; ++k) fine.step(end / 640, {});
+// Against a run of very small steps on the same mesh, from a state that it has passed: what was started from
+// velocities alone has no pressure in its first step.
+TEST(TaylorGreen, HasTheOrderOfItsTimeScheme) {
+  const struct { double crank_nicolson, order; } schemes[] = {{0.0, 1.0}, {0.3, 1.0}, {1.0, 2.0}};
+  auto fine = vortices(16, 1.0, Convection::central);
+  for (int k = 0; k < 640; ++k) fine.step(end / 640, {});
+  const auto begin = fine.save();
+  for (int k = 0; k < 640; ++k) fine.step(end / 640, {});
+  for (const auto& scheme : schemes) {
+    std::vector<double> dt;
+    std::vector<double> u;
     for (const int steps : {10, 20, 40, 80}) {
-      auto fluid = vortices(n, cn, Convection::central, corr);
+      auto fluid = vortices(16, scheme.crank_nicolson, Convection::central);
       fluid.load(begin);
       for (int k = 0; k < steps; ++k) fluid.step(end / steps, {});
-      h.push_back(1.0 / steps);
-      u.push_back(l2_norm(fluid, [&](std::size_t c) { return norm(fluid.u()[c] - fine.u()[c]); }) / speed);
-      std::printf("%g %d %g\n", cn, steps, u.back());
+      dt.push_back(1.0 / steps);
+      u.push_back(l2_norm(fluid, [&](std::size_t c) { return norm(fluid.u()[c] - fine.u()[c]); }));
     }
-    std::printf("order %g\n", fitted_order(h, u));
+
+    EXPECT_NEAR(fitted_order(dt, u), scheme.order, 0.1) << scheme.crank_nicolson;
   }
 }
 

@@ -94,11 +94,8 @@ inline double fitted_order(const std::vector<double>& spacing, const std::vector
 }
 
 /// Steps until the velocity changes by less than `change`, relative to its largest, in a step; whether it does.
-inline bool run_to_rest(fluid::Fluid& fluid,
-                        double dt,
-                        const fluid::Bed& bed,
-                        double change,
-                        int most_steps) {
+inline bool run_to_rest(
+    fluid::Fluid& fluid, double dt, const fluid::Bed& bed, double change, int most_steps) {
   for (int k = 0; k < most_steps; ++k) {
     const auto before = fluid.u();
     fluid.step(dt, bed);
