@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// @file
+/// How commands are put on the command line (CLI11, which is slow to compile: few files include it).
+
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+#include "app/bead_commands.hpp"
+
+namespace packbed::app {
+
+/// What the user asked for, called once the whole command line has been read.
+using Action = std::function<int()>;
+
+void add_json(CLI::App& command, bool& json);
+
+/// `packbed bead ...`
+void add_bead(CLI::App& app, BeadCommands& commands, Action& action);
+
+}  // namespace packbed::app
