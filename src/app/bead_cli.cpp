@@ -61,6 +61,29 @@ void add_relax(CLI::App& bead, BeadCurveCommand& o, Action& action) {
   command->callback([&] { action = [&] { return bead_relax(o); }; });
 }
 
+void add_fit(CLI::App& bead, BeadFitCommand& o, Action& action) {
+  auto* command = bead.add_subcommand("fit", "Fit a model to measured force curves of beads");
+  command->add_option("DATA", o.files, "CSV files with time [s], displacement [um], force [uN]")
+      ->required();
+  command->add_option("--model", o.model,
+                      "prony, sls-maxwell, sls-kelvin, hertz, hooke, power or restitution");
+  command->add_option("--radius", o.radius,
+                      "Radius of the beads, if the data have no column of it");
+  command->add_option("--poisson", o.poisson, "Poisson's ratio");
+  command->add_option("--terms", o.terms, "prony: relaxation times; by default chosen")
+      ->check(CLI::Range(1, 4));
+  command->add_option("--ramp-time", o.ramp_time,
+                      "prony: duration of the loading; by default from the data");
+  command->add_option("--ramp-correction", o.ramp_correction,
+                      "prony: exact (default), mattice, thesis or none");
+  command->add_option("--density", o.density, "hooke: density of the wet bead");
+  command->add_option("--characteristic-velocity", o.characteristic_velocity,
+                      "hooke: speed that E belongs to");
+  command->add_option("--plot", o.plot, "Draw data, model and residuals to this file (SVG)");
+  add_json(*command, o.json);
+  command->callback([&] { action = [&] { return bead_fit(o); }; });
+}
+
 }  // namespace
 
 void add_json(CLI::App& command, bool& json) {
@@ -73,6 +96,7 @@ void add_bead(CLI::App& app, BeadCommands& o, Action& action) {
   bead->require_subcommand(1);
   add_compress(*bead, o.compress, action);
   add_relax(*bead, o.relax, action);
+  add_fit(*bead, o.fit, action);
 }
 
 }  // namespace packbed::app

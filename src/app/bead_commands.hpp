@@ -23,9 +23,23 @@ struct BeadCurveCommand {
 int bead_compress(const BeadCurveCommand& command);
 int bead_relax(const BeadCurveCommand& command);
 
+/// `packbed bead fit`.
+struct BeadFitCommand {
+  std::vector<std::string> files;
+  std::string model;
+  std::string radius, poisson, density, characteristic_velocity;
+  int terms = 0;  ///< prony: 0 chooses
+  std::string ramp_time;
+  std::string ramp_correction = "exact";
+  std::string plot;
+  bool json = false;
+};
+int bead_fit(const BeadFitCommand& command);
+
 /// All of them, for the command line to fill.
 struct BeadCommands {
   BeadCurveCommand compress, relax;
+  BeadFitCommand fit;
 };
 
 }  // namespace packbed::app

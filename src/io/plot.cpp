@@ -183,7 +183,7 @@ std::string axes(const PlotPanel& panel, const Scale& x, const Scale& y) {
 std::string mark(PlotStyle style, double x, double y, std::string_view color) {
   if (style == PlotStyle::points) {
     return fmt::format(
-        "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"3.2\" fill=\"{}\" fill-opacity=\"0.75\"/>\n", x, y,
+        "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"2.8\" fill=\"{}\" fill-opacity=\"0.75\"/>\n", x, y,
         color);
   }
   return "";

@@ -206,7 +206,7 @@ Fit solve(const FitProblem& problem) {
   system.params = const_cast<FitProblem*>(&problem);
   gsl_multifit_nlinear_init(start.get(), &system, solver.get());
   int why = 0;
-  constexpr std::size_t most_iterations = 500;
+  constexpr std::size_t most_iterations = 200;
   const int status = gsl_multifit_nlinear_driver(most_iterations, 1e-11, 1e-11, 1e-14, nullptr,
                                                  nullptr, &why, solver.get());
   Fit fit;
