@@ -84,6 +84,50 @@ void add_fit(CLI::App& bead, BeadFitCommand& o, Action& action) {
   command->callback([&] { action = [&] { return bead_fit(o); }; });
 }
 
+void add_sizes(CLI::App& bead, BeadSizesCommand& o, Action& action) {
+  auto* command = bead.add_subcommand("sizes", "Size distribution of measured beads");
+  command->add_option("DATA", o.file, "CSV file with diameter [um], and perhaps count")->required();
+  command->add_option("--bin", o.bin, "Width of the bins; 5 um if not given");
+  command->add_option("--csv", o.csv, "Write the bins to this file");
+  command->add_option("--plot", o.plot, "Draw both distributions to this file (SVG)");
+  add_json(*command, o.json);
+  command->callback([&] { action = [&] { return bead_sizes(o); }; });
+}
+
+void add_properties(CLI::App& bead, BeadPropertiesCommand& o, Action& action) {
+  auto* command = bead.add_subcommand(
+      "properties",
+      "Wet density, permeability and diffusivity of the pores, Poisson's ratio from pictures");
+  command->add_option("--intraparticle-porosity", o.intraparticle_porosity, "Porosity of the bead");
+  command->add_option("--dry-density", o.dry_density, "Density of the dry matrix");
+  command->add_option("--liquid-density", o.liquid_density, "1000 kg/m3 if not given");
+  command->add_option("--pore-radius", o.pore_radius, "Hydraulic radius of the pores");
+  command->add_option("--G", o.shear_modulus, "Shear modulus of the bead");
+  command->add_option("--poisson", o.poisson, "Poisson's ratio of the bead");
+  command->add_option("--viscosity", o.viscosity, "Of the liquid; 1 mPa s if not given");
+  command->add_option("--radius", o.radius, "Radius of the unloaded bead on the picture");
+  command->add_option("--compressed-height", o.height, "Distance of the plates on the picture");
+  command->add_option("--compressed-radius", o.compressed_radius,
+                      "Largest radius between the plates");
+  add_json(*command, o.json);
+  command->callback([&] { action = [&] { return bead_properties(o); }; });
+}
+
+void add_xray(CLI::App& bead, BeadXrayCommand& o, Action& action) {
+  auto* command =
+      bead.add_subcommand("xray", "Attenuation of X-rays by matrix, liquid and wet beads");
+  command->add_option("TABLE", o.file, "CSV file with energy [keV], matrix [cm2/g], liquid [cm2/g]")
+      ->required();
+  command->add_option("--intraparticle-porosity", o.intraparticle_porosity, "Porosity of the bead");
+  command->add_option("--dry-density", o.dry_density, "Density of the dry matrix");
+  command->add_option("--liquid-density", o.liquid_density, "1000 kg/m3 if not given");
+  command->add_option("--thickness", o.thickness, "Way of the rays");
+  command->add_option("--csv", o.csv, "Write the rows to this file");
+  command->add_option("--plot", o.plot, "Draw them to this file (SVG)");
+  add_json(*command, o.json);
+  command->callback([&] { action = [&] { return bead_xray(o); }; });
+}
+
 }  // namespace
 
 void add_json(CLI::App& command, bool& json) {
@@ -97,6 +141,9 @@ void add_bead(CLI::App& app, BeadCommands& o, Action& action) {
   add_compress(*bead, o.compress, action);
   add_relax(*bead, o.relax, action);
   add_fit(*bead, o.fit, action);
+  add_sizes(*bead, o.sizes, action);
+  add_properties(*bead, o.properties, action);
+  add_xray(*bead, o.xray, action);
 }
 
 }  // namespace packbed::app

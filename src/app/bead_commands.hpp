@@ -36,10 +36,36 @@ struct BeadFitCommand {
 };
 int bead_fit(const BeadFitCommand& command);
 
+/// `packbed bead sizes`.
+struct BeadSizesCommand {
+  std::string file, bin, csv, plot;
+  bool json = false;
+};
+int bead_sizes(const BeadSizesCommand& command);
+
+/// `packbed bead properties`: works out what the options given allow.
+struct BeadPropertiesCommand {
+  std::string intraparticle_porosity, dry_density, liquid_density;  // wet density
+  std::string pore_radius, shear_modulus, poisson, viscosity;       // permeability, diffusivity
+  std::string radius, height, compressed_radius;                    // Poisson's ratio from pictures
+  bool json = false;
+};
+int bead_properties(const BeadPropertiesCommand& command);
+
+/// `packbed bead xray`.
+struct BeadXrayCommand {
+  std::string file, intraparticle_porosity, dry_density, liquid_density, thickness, csv, plot;
+  bool json = false;
+};
+int bead_xray(const BeadXrayCommand& command);
+
 /// All of them, for the command line to fill.
 struct BeadCommands {
   BeadCurveCommand compress, relax;
   BeadFitCommand fit;
+  BeadSizesCommand sizes;
+  BeadPropertiesCommand properties;
+  BeadXrayCommand xray;
 };
 
 }  // namespace packbed::app

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/bead_commands.hpp"
+#include "app/flow_commands.hpp"
 
 namespace packbed::app {
 
@@ -19,5 +20,8 @@ void add_json(CLI::App& command, bool& json);
 
 /// `packbed bead ...`
 void add_bead(CLI::App& app, BeadCommands& commands, Action& action);
+
+/// `packbed flow ...`
+void add_flow(CLI::App& app, FlowCommands& commands, Action& action);
 
 }  // namespace packbed::app

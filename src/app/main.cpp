@@ -99,12 +99,14 @@ int dispatch(int argc, char** argv) {
   ResinsCommand resins_options;
   UnitsCommand units_options;
   BeadCommands bead_options;
+  FlowCommands flow_options;
   Action action;
   add_run(app, run_options, action);
   add_check(app, check_options, action);
   add_resins(app, resins_options, action);
   add_units(app, units_options, action);
   add_bead(app, bead_options, action);
+  add_flow(app, flow_options, action);
   if (argc < 2) {
     fmt::print("{}", app.help());
     return static_cast<int>(ExitCode::input);
