@@ -11,6 +11,7 @@
 /// thesis does not say over which height it integrated; `Reading` has both ways. docs/theory/wall_support.md.
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "continuum/wall_support/bed_modulus.hpp"
@@ -68,6 +69,14 @@ WallSupportResult wall_support(const CompressibleBed& bed,
                                const WallSupportColumn& column,
                                double u,
                                int points = 101);
+
+/// The same, and nothing if the integration meets closed pores: quicker where many beds are tried, as the critical
+/// velocity is not worked out. `tolerance` is relative.
+std::optional<WallSupportResult> try_wall_support(const CompressibleBed& bed,
+                                                  const WallSupportColumn& column,
+                                                  double u,
+                                                  int points,
+                                                  double tolerance);
 
 /// The velocity [m/s] at which the pores close at the bottom of the bed: above it there is no steady state. 0 if
 /// the bed collapses under its own weight.
