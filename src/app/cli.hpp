@@ -10,6 +10,7 @@
 
 #include "app/bead_commands.hpp"
 #include "app/flow_commands.hpp"
+#include "app/wall_support_commands.hpp"
 
 namespace packbed::app {
 
@@ -23,5 +24,8 @@ void add_bead(CLI::App& app, BeadCommands& commands, Action& action);
 
 /// `packbed flow ...`
 void add_flow(CLI::App& app, FlowCommands& commands, Action& action);
+
+/// `packbed wall-support ...`
+void add_wall_support(CLI::App& app, WallSupportCommands& commands, Action& action);
 
 }  // namespace packbed::app

@@ -100,6 +100,7 @@ int dispatch(int argc, char** argv) {
   UnitsCommand units_options;
   BeadCommands bead_options;
   FlowCommands flow_options;
+  WallSupportCommands wall_support_options;
   Action action;
   add_run(app, run_options, action);
   add_check(app, check_options, action);
@@ -107,6 +108,7 @@ int dispatch(int argc, char** argv) {
   add_units(app, units_options, action);
   add_bead(app, bead_options, action);
   add_flow(app, flow_options, action);
+  add_wall_support(app, wall_support_options, action);
   if (argc < 2) {
     fmt::print("{}", app.help());
     return static_cast<int>(ExitCode::input);

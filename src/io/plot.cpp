@@ -119,7 +119,7 @@ Scale make_scale(const PlotPanel& panel, bool of_x, double start, double length)
 
 std::vector<double> log_ticks(const Scale& s) {
   std::vector<double> ticks;
-  const bool few = s.high - s.low < 1.6;
+  const bool few = s.high - s.low < 3.2;
   for (double e = std::floor(s.low); e <= s.high; e += 1.0) {
     for (const double m : {1.0, 2.0, 5.0}) {
       const double value = m * std::pow(10.0, e);

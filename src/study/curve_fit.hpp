@@ -46,7 +46,7 @@ double ramp_correction(RampCorrection kind, double x);
 
 struct PronyOptions {
   double poisson = 0.0;
-  std::optional<int> terms = {};         ///< 1 to 4; by default as many as the criterion (BIC) asks for
+  std::optional<int> terms = {};  ///< 1 to 4; by default as many as the criterion (BIC) asks for
   std::optional<double> ramp_time = {};  ///< [s]; by default from the displacements
   RampCorrection correction = RampCorrection::exact;
 };
