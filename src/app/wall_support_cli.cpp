@@ -78,6 +78,25 @@ void add_scale(CLI::App& parent, WallSupportSweepCommand& o, Action& action) {
   c->callback([&] { action = [&] { return wall_support_scale(o); }; });
 }
 
+void add_fit(CLI::App& parent, WallSupportFitCommand& o, Action& action) {
+  auto* c = parent.add_subcommand("fit", "Fit the bed to measured pressure drops and compressions");
+  c->add_option(
+       "DATA", o.file,
+       "CSV file with diameter [mm], velocity [cm/h], pressure_gradient [bar/m], compression")
+      ->required();
+  add_options(*c, o.options);
+  c->add_option("--height", o.options.height, "Settled height, if the data have no column of it");
+  c->add_option("--free", o.free,
+                "What to fit, with commas: B, bead-diameter, wall-friction, poisson, "
+                "density-difference, settled-porosity, exponent");
+  c->add_option("--bound", o.bounds, "Bounds of a free parameter, \"B=10 kPa:1 MPa\"; repeat it")
+      ->take_all();
+  c->add_option("--starts", o.starts, "Starts of the search")->check(CLI::Range(1, 1000));
+  c->add_option("--plot", o.plot, "Draw data and model to this file (SVG)");
+  add_json(*c, o.json);
+  c->callback([&] { action = [&] { return wall_support_fit(o); }; });
+}
+
 }  // namespace
 
 void add_wall_support(CLI::App& app, WallSupportCommands& all, Action& action) {
@@ -94,6 +113,7 @@ void add_wall_support(CLI::App& app, WallSupportCommands& all, Action& action) {
   add_velocities(*c, all.velocities, action);
   add_diameters(*c, all.diameters, action);
   add_scale(*c, all.scale, action);
+  add_fit(*c, all.fit, action);
   c->callback([c, &o, &action] {
     if (c->get_subcommands().empty()) action = [&] { return wall_support(o); };
   });

@@ -55,9 +55,22 @@ int wall_support_velocities(const WallSupportSweepCommand& command);
 int wall_support_diameters(const WallSupportSweepCommand& command);
 int wall_support_scale(const WallSupportSweepCommand& command);
 
+/// `packbed wall-support fit`. The options of the bed are the start, and hold for what is not free.
+struct WallSupportFitCommand {
+  WallSupportOptions options;
+  std::string file;
+  std::string free = "B,bead-diameter,wall-friction,poisson,density-difference,settled-porosity";
+  std::vector<std::string> bounds;  ///< "B=10 kPa:1 MPa"
+  int starts = 8;
+  std::string plot;
+  bool json = false;
+};
+int wall_support_fit(const WallSupportFitCommand& command);
+
 struct WallSupportCommands {
   WallSupportCommand one;
   WallSupportSweepCommand velocities, diameters, scale;
+  WallSupportFitCommand fit;
 };
 
 }  // namespace packbed::app

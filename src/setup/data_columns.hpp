@@ -29,6 +29,8 @@ class DataColumns {
   /// All rows in SI. Throws ConfigError "FILE:LINE: ..." for a missing column, a missing or wrong unit, a cell
   /// that is no number. A fraction needs no unit; % is accepted.
   [[nodiscard]] std::vector<double> values(std::string_view name, Dimension dimension) const;
+  /// All rows of a pressure per length in Pa/m: "name [bar/m]" or "name_Pa_m".
+  [[nodiscard]] std::vector<double> pressure_gradients(std::string_view name) const;
   /// All rows as text.
   [[nodiscard]] std::vector<std::string> texts(std::string_view name) const;
 
@@ -39,6 +41,10 @@ class DataColumns {
     int column;
     std::string unit;
   };
+  [[nodiscard]] std::vector<double> converted(const Found& found,
+                                              std::string_view name,
+                                              std::string_view unit,
+                                              Dimension dimension) const;
   [[nodiscard]] std::optional<Found> find(std::string_view name,
                                           std::string_view suffix = "") const;
   [[nodiscard]] Found required(std::string_view name, std::string_view suffix = "") const;

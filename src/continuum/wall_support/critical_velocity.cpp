@@ -97,7 +97,11 @@ double critical(const Collapse<Law>& collapse, double height) {
   double high = 1e-6;  // [m/s]
   while (collapse.depth(high) > height) high *= 2.0;
   double low = 0.5 * high;
-  while (low > 1e-12 && collapse.depth(low) <= height) low *= 0.5;
+  constexpr double still = 1e-12;
+  while (collapse.depth(low) <= height) {
+    if (low < still) return 0.0;  // on the verge of collapse under its own weight
+    low *= 0.5;
+  }
   // Where the depth is infinite a finite number of the same sign does for the search.
   const auto excess = [&](double u) { return std::min(collapse.depth(u) / height, 1e6) - 1.0; };
   std::uintmax_t steps = 200;
