@@ -123,7 +123,7 @@ FitProblem problem_of(const CompressibleBed& bed,
   for (const auto& bound : options.free) {
     const auto& info = info_of(bound.parameter);
     const double start = value_of(bed, bound.parameter);
-    if (!(start > bound.low && start < bound.high)) {
+    if (!(start >= bound.low && start <= bound.high)) {
       throw ValueError(fmt::format("{} = {:.6g} does not lie between its bounds {:.6g} and {:.6g}",
                                    info.name, start, bound.low, bound.high));
     }
