@@ -52,6 +52,7 @@ std::vector<ColumnDatum> measured(const CompressibleBed& bed,
 WallSupportFitOptions fitting(std::vector<BedParameter> parameters) {
   WallSupportFitOptions options{.free = {}, .column = {}};
   for (const auto p : parameters) options.free.push_back(usual_bounds(p));
+  options.starts = 3;
   return options;
 }
 
@@ -62,7 +63,7 @@ TEST(WallSupportFit, RecoversTheBedFromABadStart) {
   start.wall_friction = 0.05;
 
   const auto fit = fit_wall_support(
-      start, measured(toy(), 0.0, 1),
+      start, measured(toy(), 0.0, 1, 4),
       fitting({BedParameter::modulus, BedParameter::bead_diameter, BedParameter::wall_friction}));
 
   EXPECT_NEAR(fit.fit.estimates[0].value / 0.164e6, 1.0, 1e-5);
@@ -73,7 +74,7 @@ TEST(WallSupportFit, RecoversTheBedFromABadStart) {
 
 // mu_w and nu stand only in their product mu_w nu / (1 - nu): a fit of both must say so, and still know the product.
 TEST(WallSupportFit, SaysThatWallFrictionAndPoissonRatioCannotBeToldApart) {
-  const auto fit = fit_wall_support(toy(), measured(toy(), 0.01, 3),
+  const auto fit = fit_wall_support(toy(), measured(toy(), 0.01, 3, 4),
                                     fitting({BedParameter::modulus, BedParameter::bead_diameter,
                                              BedParameter::wall_friction, BedParameter::poisson}));
 
@@ -90,7 +91,7 @@ TEST(WallSupportFit, RecoversAStiffeningBed) {
   auto start = toy();
   start.modulus = PowerModulus{0.1e6, 0.05, 1.2};
 
-  const auto fit = fit_wall_support(start, measured(truth, 0.0, 1),
+  const auto fit = fit_wall_support(start, measured(truth, 0.0, 1, 4),
                                     fitting({BedParameter::modulus, BedParameter::bead_diameter,
                                              BedParameter::wall_friction, BedParameter::exponent}));
 
