@@ -72,7 +72,7 @@ BeadModel viscoelastic(const continuum::BeadShape& shape, const continuum::Shear
 }
 
 continuum::ShearRelaxation read_prony(const BeadOptions& o, const UnitSystem& units) {
-  const double c0 = quantity(units, {"--C0", o.c0}, pressure, bounds::not_negative);
+  double c0 = quantity_or(units, {"--C0", o.c0}, pressure, bounds::not_negative, 0.0);
   std::vector<continuum::RelaxationTerm> terms;
   for (const auto& text : o.terms) {
     const auto comma = text.find(',');
@@ -84,10 +84,14 @@ continuum::ShearRelaxation read_prony(const BeadOptions& o, const UnitSystem& un
     }
     const auto c = text.substr(0, comma);
     const auto tau = text.substr(comma + 1);
+    if (trimmed(tau) == "inf") {  // never relaxes
+      c0 += quantity(units, {"--term", c}, pressure, bounds::not_negative);
+      continue;
+    }
     terms.push_back({quantity(units, {"--term", c}, pressure, bounds::not_negative),
                      quantity(units, {"--term", tau}, time, bounds::positive)});
   }
-  if (terms.empty()) {
+  if (o.terms.empty()) {
     throw ConfigError("--term is missing; give modulus and time such as \"0.4 MPa,12 s\"");
   }
   return continuum::prony(c0, terms);

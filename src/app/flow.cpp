@@ -28,8 +28,9 @@ constexpr double cm_h = 0.01 / 3600.0;  // in m/s
 
 /// A bed, its liquid, and where known column and height.
 struct Bed {
-  double eps, d32;
-  Liquid liquid;
+  double eps = 0.0;  ///< porosity
+  double d32 = 0.0;  ///< [m]
+  Liquid liquid = {};
   std::optional<double> diameter, height;
 };
 

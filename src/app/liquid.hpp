@@ -8,8 +8,8 @@
 namespace packbed::app {
 
 struct Liquid {
-  double density;    ///< [kg/m3]
-  double viscosity;  ///< [Pa s]
+  double density = 0.0;    ///< [kg/m3]
+  double viscosity = 0.0;  ///< [Pa s]
 };
 
 /// Water of the temperature, if one is given; otherwise 1000 kg/m3 and 1 mPa s, as the thesis uses. Density and

@@ -22,6 +22,7 @@ std::vector<double> column_of(const std::vector<BedDepth>& profile,
                               double BedDepth::*member,
                               double factor = 1.0) {
   std::vector<double> values;
+  values.reserve(profile.size());
   for (const auto& at : profile) values.push_back(at.*member * factor);
   return values;
 }

@@ -2,7 +2,9 @@
 #include "study/wall_support_fit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include <fmt/format.h>
@@ -45,6 +47,7 @@ const Name& named(const std::string& name, std::string_view option) {
   const auto found = std::ranges::find(names, name, &Name::name);
   if (found != names.end()) return *found;
   std::vector<std::string> known;
+  known.reserve(names.size());
   for (const auto& n : names) known.push_back(n.name);
   throw ConfigError(fmt::format("{}: \"{}\" is not a parameter of the bed; known are {}", option,
                                 name, either_of(known)));
@@ -179,60 +182,79 @@ void print(const WallSupportFit& f,
   for (const auto& note : notes) fmt::print("note: {}\n", note);
 }
 
-// Data and model over the velocity where it varies within a column, otherwise over the diameter.
-std::string draw(const WallSupportFit& f, const study::ColumnData& data) {
+/// Rows of the data that belong to one line of a plot.
+struct Group {
+  std::string label, model_label;
+  std::vector<std::size_t> rows;
+  int color = 0;
+  int model_color = 0;
+};
+
+// One line per column where the velocity varies, otherwise one line over the diameters.
+std::vector<Group> groups_of(const study::ColumnData& data, bool& over_velocity) {
   std::map<double, std::vector<std::size_t>> columns;
   for (std::size_t i = 0; i < data.rows.size(); ++i) columns[data.rows[i].diameter].push_back(i);
-  const bool over_velocity = columns.size() < data.rows.size();
-  if (!over_velocity) {
-    std::vector<std::size_t> all;
-    for (const auto& [d, rows] : columns) all.insert(all.end(), rows.begin(), rows.end());
-    columns = {{0.0, all}};
+  over_velocity = columns.size() < data.rows.size();
+  std::vector<Group> groups;
+  if (!over_velocity)
+    groups.push_back(
+        {.label = "data", .model_label = "model", .rows = {}, .color = 0, .model_color = 1});
+  for (auto& [d, rows] : columns) {
+    if (over_velocity) {
+      std::ranges::sort(rows, {}, [&](std::size_t i) { return data.rows[i].velocity; });
+      const int color = static_cast<int>(groups.size());
+      groups.push_back({fmt::format("D = {:.4g} mm", d * 1e3), "", rows, color, color});
+    } else {
+      groups.front().rows.push_back(rows.front());
+    }
+  }
+  return groups;
+}
+
+// Data with error bars and model of one quantity.
+void add_group(io::PlotPanel& panel,
+               const Group& group,
+               const std::vector<double>& axis,
+               const std::vector<std::array<double, 3>>& datum_error_model) {
+  io::PlotSeries data{
+      .label = group.label, .x = {}, .y = {}, .style = io::PlotStyle::points, .color = group.color};
+  io::PlotSeries model{.label = group.model_label, .x = {}, .y = {}, .color = group.model_color};
+  for (const auto i : group.rows) {
+    const auto& [datum, error, fitted] = datum_error_model[i];
+    data.x.push_back(axis[i]);
+    data.y.push_back(datum);
+    data.y_error.push_back(error);
+    model.x.push_back(axis[i]);
+    model.y.push_back(fitted);
+  }
+  panel.series.push_back(std::move(data));
+  panel.series.push_back(std::move(model));
+}
+
+std::string draw(const WallSupportFit& f, const study::ColumnData& data) {
+  bool over_velocity = false;
+  const auto groups = groups_of(data, over_velocity);
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> axis;
+  std::vector<std::array<double, 3>> gradient, compression;
+  for (std::size_t i = 0; i < data.rows.size(); ++i) {
+    const auto& at = data.rows[i];
+    axis.push_back(over_velocity ? at.velocity / cm_h : at.diameter * 1e3);
+    gradient.push_back({at.gradient.value_or(nothing) * 1e-5, at.gradient_error * 1e-5,
+                        f.model[i].gradient * 1e-5});
+    compression.push_back(
+        {at.compression.value_or(nothing), at.compression_error, f.model[i].compression});
   }
   const io::PlotAxis x{over_velocity ? "superficial velocity [cm/h]" : "column diameter [mm]",
                        !over_velocity};
-  io::PlotPanel gradient{
+  io::PlotPanel of_gradient{
       .title = "Pressure drop", .x = x, .y = {"pressure drop per height [bar/m]"}, .series = {}};
-  io::PlotPanel compression{.title = "Compression", .x = x, .y = {"compression"}, .series = {}};
-  int color = 0;
-  for (auto& [d, rows] : columns) {
-    std::ranges::sort(rows, {}, [&](std::size_t i) {
-      return over_velocity ? data.rows[i].velocity : data.rows[i].diameter;
-    });
-    io::PlotSeries g{.label = over_velocity ? fmt::format("D = {:.4g} mm", d * 1e3) : "data",
-                     .x = {},
-                     .y = {},
-                     .style = io::PlotStyle::points,
-                     .color = color};
-    io::PlotSeries gm{.label = over_velocity ? "" : "model",
-                      .x = {},
-                      .y = {},
-                      .color = over_velocity ? color : color + 1};
-    auto l = g;
-    auto lm = gm;
-    for (const auto i : rows) {
-      const auto& at = data.rows[i];
-      const double axis = over_velocity ? at.velocity / cm_h : at.diameter * 1e3;
-      gm.x.push_back(axis);
-      gm.y.push_back(f.model[i].gradient * 1e-5);
-      lm.x.push_back(axis);
-      lm.y.push_back(f.model[i].compression);
-      if (at.gradient) {
-        g.x.push_back(axis);
-        g.y.push_back(*at.gradient * 1e-5);
-        g.y_error.push_back(at.gradient_error * 1e-5);
-      }
-      if (at.compression) {
-        l.x.push_back(axis);
-        l.y.push_back(*at.compression);
-        l.y_error.push_back(at.compression_error);
-      }
-    }
-    gradient.series.insert(gradient.series.end(), {g, gm});
-    compression.series.insert(compression.series.end(), {l, lm});
-    ++color;
+  io::PlotPanel of_compression{.title = "Compression", .x = x, .y = {"compression"}, .series = {}};
+  for (const auto& group : groups) {
+    add_group(of_gradient, group, axis, gradient);
+    add_group(of_compression, group, axis, compression);
   }
-  return io::plot_svg({gradient, compression});
+  return io::plot_svg({of_gradient, of_compression});
 }
 
 }  // namespace

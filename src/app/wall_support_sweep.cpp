@@ -49,6 +49,7 @@ std::vector<double> column_of(const std::vector<Point>& points,
                               double Point::*member,
                               double factor = 1.0) {
   std::vector<double> values;
+  values.reserve(points.size());
   for (const auto& p : points) values.push_back(p.*member * factor);
   return values;
 }
@@ -107,6 +108,7 @@ std::vector<double> lengths(const UnitSystem& units,
                             std::string_view name,
                             const std::vector<std::string>& texts) {
   std::vector<double> values;
+  values.reserve(texts.size());
   for (const auto& text : texts)
     values.push_back(quantity(units, {name, text}, length, bounds::positive));
   return values;
@@ -222,6 +224,7 @@ int wall_support_diameters(const WallSupportSweepCommand& c) {
                quantity_or(units, {"--to", c.to}, length, bounds::positive, 2.0), c.points, true);
   }
   std::vector<Point> points;
+  points.reserve(diameters.size());
   for (const double d : diameters) points.push_back(solve(w, d, u));
   const auto gradient = logarithmic_fit(points, &Point::gradient, 1e-5);
   const auto compression = logarithmic_fit(points, &Point::compression, 1.0);

@@ -47,6 +47,12 @@ TEST(BeadCompress, GivesTheForcesOfTheReference) {  // B1: 116.0210038 uN
               1.0, 1e-7);
 }
 
+TEST(BeadCompress, TakesTheConstantOfAPronySeriesAsATerm) {
+  const std::string end = " --term '7.02 MPa,0.3 s' --speed '0.9 um/s' --time '5 s'";
+  EXPECT_DOUBLE_EQ(force("bead compress --model prony --C0 '3.24 MPa' " + bead + end),
+                   force("bead compress --model prony --term '3.24 MPa,inf' " + bead + end));
+}
+
 TEST(BeadCompress, KelvinIsTheOtherSolid) {  // C.15: relaxed modulus G0 G1 / (G0 + G1)
   const auto j =
       figures("bead compress --model sls-kelvin " + sls + "--speed '0.9 um/s' --time '5 s'");
