@@ -120,7 +120,8 @@ Scale make_scale(const PlotPanel& panel, bool of_x, double start, double length)
 std::vector<double> log_ticks(const Scale& s) {
   std::vector<double> ticks;
   const bool few = s.high - s.low < 3.2;
-  for (double e = std::floor(s.low); e <= s.high; e += 1.0) {
+  const int last = static_cast<int>(std::floor(s.high));
+  for (int e = static_cast<int>(std::floor(s.low)); e <= last; ++e) {
     for (const double m : {1.0, 2.0, 5.0}) {
       const double value = m * std::pow(10.0, e);
       if ((m == 1.0 || few) && s.shows(value)) ticks.push_back(value);
@@ -271,9 +272,9 @@ std::vector<double> linear_ticks(double low, double high, int wanted) {
   }
   std::vector<double> ticks;
   const double slack = 1e-9 * (high - low);
-  for (double k = std::ceil((low - slack) / step); k * step <= high + slack; k += 1.0) {
-    ticks.push_back(k * step);
-  }
+  const double first = std::ceil((low - slack) / step);
+  const int count = static_cast<int>(std::floor((high + slack) / step) - first) + 1;
+  for (int i = 0; i < count; ++i) ticks.push_back((first + i) * step);
   return ticks;
 }
 
@@ -293,7 +294,7 @@ std::string plot_svg(const std::vector<PlotPanel>& panels, int columns) {
     const auto column = i % static_cast<std::size_t>(columns);
     if (column == 0) {
       x = 0.0;
-      y = static_cast<double>(i / static_cast<std::size_t>(columns)) * height;
+      if (i > 0) y += height;
     }
     body += draw_panel(panels[i], x, y);
     x += widths[column];
