@@ -57,6 +57,7 @@ Collapse collapse(const std::vector<Relaxation>& curves) {
   }
   const std::vector<double> same(curves.size(), 1.0);
   std::vector<double> area;
+  area.reserve(curves.size());
   for (const auto& c : curves) area.push_back(c.contact_radius * c.contact_radius);
   return {spread_of(curves, same), spread_of(curves, area)};
 }

@@ -59,6 +59,7 @@ Hold find_hold(const continuum::BeadCurve& curve, const PronyOptions& options) {
 
 std::vector<double> decay(const std::vector<double>& time, double tau) {
   std::vector<double> values;
+  values.reserve(time.size());
   for (const double t : time) values.push_back(std::exp(-t / tau));
   return values;
 }
@@ -230,7 +231,7 @@ PronyFit fit_prony(const continuum::BeadCurve& curve, const PronyOptions& option
   const int last = options.terms.value_or(most_terms);
   for (int n = first; n <= last; ++n) {
     const auto rows = hold.time.size();
-    if (n > first && rows <= static_cast<std::size_t>(2 * n + 1)) break;
+    if (n > first && rows <= 2 * static_cast<std::size_t>(n) + 1) break;
     auto fit = fit_prony_terms(hold.time, hold.force, n);
     result.bic.push_back(fit.fit.bic());
     if (n == first || result.bic.back() < result.best.fit.bic()) {
