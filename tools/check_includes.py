@@ -19,7 +19,7 @@ ALLOWED = {
     "analysis": "core mesh dem",
     "io": "core mesh dem",
     "setup": "core resin mesh dem fluid coupling continuum column analysis io",
-    "study": "core setup column analysis io",
+    "study": "core resin continuum setup column analysis io",
     "report": "core continuum analysis io",
     "app": "core resin mesh dem fluid coupling continuum column analysis io setup study report",
 }

@@ -2,13 +2,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <functional>
 #include <new>
 #include <thread>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "app/cli.hpp"
 #include "app/commands.hpp"
 #include "core/aligned.hpp"
 #include "core/error.hpp"
@@ -18,12 +17,6 @@
 
 namespace packbed::app {
 namespace {
-
-using Action = std::function<int()>;
-
-void add_json(CLI::App& command, bool& json) {
-  command.add_flag("--json", json, "Print figures as JSON: SI, with units in the keys");
-}
 
 void add_run(CLI::App& app, RunCommand& options, Action& action) {
   auto* command = app.add_subcommand("run", "Run a case");
@@ -105,11 +98,17 @@ int dispatch(int argc, char** argv) {
   CheckCommand check_options;
   ResinsCommand resins_options;
   UnitsCommand units_options;
+  BeadCommands bead_options;
+  FlowCommands flow_options;
+  WallSupportCommands wall_support_options;
   Action action;
   add_run(app, run_options, action);
   add_check(app, check_options, action);
   add_resins(app, resins_options, action);
   add_units(app, units_options, action);
+  add_bead(app, bead_options, action);
+  add_flow(app, flow_options, action);
+  add_wall_support(app, wall_support_options, action);
   if (argc < 2) {
     fmt::print("{}", app.help());
     return static_cast<int>(ExitCode::input);

@@ -4,9 +4,8 @@
 #include <fmt/format.h>
 
 #include "app/commands.hpp"
+#include "app/library.hpp"
 #include "app/print.hpp"
-#include "core/error.hpp"
-#include "core/text.hpp"
 #include "setup/resin_file.hpp"
 
 namespace packbed::app {
@@ -111,17 +110,11 @@ int resins(const ResinsCommand& command) {
     fmt::print("{}", json_text(all));
     return 0;
   }
-  const auto* resin = library.find(command.name);
-  if (resin == nullptr) {
-    const auto near = nearest(command.name, library.names());
-    throw ConfigError(fmt::format("resin \"{}\" is not in the library{}; `packbed resins` lists it",
-                                  command.name,
-                                  near ? fmt::format(", did you mean \"{}\"?", *near) : ""));
-  }
+  const auto& resin = find_resin(library, command.name);
   if (command.json) {
-    fmt::print("{}", json_text(resin_json(*resin)));
+    fmt::print("{}", json_text(resin_json(resin)));
   } else {
-    print_resin(*resin, library);
+    print_resin(resin, library);
   }
   return 0;
 }

@@ -39,8 +39,10 @@ CsvTable::CsvTable(const std::filesystem::path& file) : file_(file) {
     }
     auto cells = split_row(content);
     if (cells.size() != header_.size()) {
-      throw ConfigError(fmt::format("{}:{}: cells in this row: {}, in the header: {}",
-                                    file_.string(), number, cells.size(), header_.size()));
+      throw ConfigError(
+          fmt::format("{}:{}: cells in this row: {}, in the header: {}{}", file_.string(), number,
+                      cells.size(), header_.size(),
+                      cells.size() > header_.size() ? "; decimals need points, not commas" : ""));
     }
     lines_.push_back(number);
     std::ranges::move(cells, std::back_inserter(cells_));

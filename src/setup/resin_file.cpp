@@ -50,6 +50,8 @@ constexpr std::array keys = {
     ResinKey{"bed_poisson_ratio", fraction, bounds::poisson_ratio, "wall-support model"},
     ResinKey{"bed_density_difference", density, bounds::positive,
              "wall-support model: bed less liquid"},
+    ResinKey{"bed_calibrated_compression", fraction, bounds::between_0_and_1,
+             "wall-support model: largest compression it was fitted to"},
     ResinKey{"settled_porosity", fraction, bounds::between_0_and_1, "settled by gravity"},
     ResinKey{"max_velocity", velocity, bounds::positive, "recommended upper limit"},
     ResinKey{"max_pressure", pressure, bounds::positive, "recommended upper limit"},
