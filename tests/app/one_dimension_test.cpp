@@ -58,16 +58,18 @@ TEST(BeadFit, OfTheExamplesFindsWhatTheyWereMadeOf) {
 
 TEST(BeadFit, OfTheRelaxationsFindsWhatTheyWereMadeOf) {
   const auto relaxation = figures("bead fit cases/bead/relaxation.csv --model prony" + bead);
+
   ASSERT_EQ(relaxation["curves"].size(), 3U);
   EXPECT_EQ(relaxation["collapse"]["better"], "viscoelastic");
   for (const auto& curve : relaxation["curves"]) {
     EXPECT_TRUE(inside(curve["figures"]["G_relaxed_Pa"], 1.7e6)) << curve["curve"];
-    EXPECT_TRUE(inside(curve["figures"]["G_instantaneous_Pa"], 2.15e6)) << curve["curve"];
     EXPECT_EQ(curve["parameters"].size(), 5U) << curve["curve"];  // two times, chosen
   }
-  EXPECT_NEAR(
-      figures("bead fit cases/bead/loop.csv --model restitution")["curves"][0]["restitution"],
-      0.956, 0.003);
+}
+
+TEST(BeadFit, OfTheLoopGivesItsRestitution) {
+  const auto loop = figures("bead fit cases/bead/loop.csv --model restitution")["curves"][0];
+  EXPECT_NEAR(loop["restitution"], 0.956, 0.003);
 }
 
 TEST(BeadFit, AveragesOverBeads) {
