@@ -73,7 +73,8 @@ double from_free(const FitParameter& p, double q) {
   if (!is_bounded(p)) return p.logarithmic ? std::exp(q) : q;
   const auto scaled = [&](double v) { return p.logarithmic ? std::log(v) : v; };
   const double v = scaled(p.low) + (scaled(p.high) - scaled(p.low)) / (1.0 + std::exp(-q));
-  return std::clamp(p.logarithmic ? std::exp(v) : v, p.low, p.high);  // but for round-off it is there
+  return std::clamp(p.logarithmic ? std::exp(v) : v, p.low,
+                    p.high);  // but for round-off it is there
 }
 
 std::vector<double> from_free(const std::vector<FitParameter>& parameters, const gsl_vector& q) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `packbed bead compress` and `packbed bead relax` as a user calls them.
+#include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -96,35 +99,36 @@ TEST(BeadRelax, OfAPoroelasticBead) {  // B5: F0 = 1.6 F_inf at nu = 0.2
 }
 
 TEST(Bead, RefusesOnOneLine) {
-  const auto error = [](const std::string& arguments) {
-    const auto outcome = run_packbed("bead " + arguments);
-    EXPECT_EQ(outcome.code, 1);
-    return outcome.err;
+  const std::vector<std::pair<std::string, std::string>> mistakes{
+      {"compress --radius '30 um'",
+       "packbed: --model is missing; known are hertz, hooke, sls-maxwell, sls-kelvin, prony "
+       "or poroelastic\n"},
+      {"compress --model hurtz",
+       "packbed: --model \"hurtz\" is not known; known are hertz, hooke, sls-maxwell, "
+       "sls-kelvin, prony or poroelastic\n"},
+      {"compress --model hertz --radius '30 MPa' --poisson 0.2",
+       "packbed: --radius = \"30 MPa\" is refused: it is a pressure, not a length; give a "
+       "length such as \"90 um\"\n"},
+      {"compress --model hertz " + bead + "--G0 '1 MPa'",
+       "packbed: --G0 does not apply to --model hertz; leave it out\n"},
+      {"compress --model prony " + bead + "--C0 '1 MPa'",
+       "packbed: --term is missing; give modulus and time such as \"0.4 MPa,12 s\"\n"},
+      {"compress --model prony " + bead + "--C0 '1 MPa' --term '1 MPa'",
+       "packbed: --term = \"1 MPa\" is refused: it has no comma; give modulus and time such "
+       "as \"0.4 MPa,12 s\"\n"},
+      {"compress --model poroelastic " + bead +
+           "--G0 '1 MPa' --pore-radius '20 nm' --intraparticle-porosity 0.8",
+       "packbed: --model poroelastic is known for a step only (thesis eq. 3.38); use `packbed "
+       "bead relax`\n"},
+      {"relax --model hertz --E '1 MPa' --radius '30 um' --poisson 0.7 --depth '1 um' --time "
+       "'1 s'",
+       "packbed: --poisson = \"0.7\" is outside (-1, 0.5]; give a fraction such as \"0.38\"\n"},
   };
-  EXPECT_EQ(error("compress --radius '30 um'"),
-            "packbed: --model is missing; known are hertz, hooke, sls-maxwell, sls-kelvin, prony "
-            "or poroelastic\n");
-  EXPECT_EQ(error("compress --model hurtz"),
-            "packbed: --model \"hurtz\" is not known; known are hertz, hooke, sls-maxwell, "
-            "sls-kelvin, prony or poroelastic\n");
-  EXPECT_EQ(error("compress --model hertz --radius '30 MPa' --poisson 0.2"),
-            "packbed: --radius = \"30 MPa\" is refused: it is a pressure, not a length; give a "
-            "length such as \"90 um\"\n");
-  EXPECT_EQ(error("compress --model hertz " + bead + "--G0 '1 MPa'"),
-            "packbed: --G0 does not apply to --model hertz; leave it out\n");
-  EXPECT_EQ(error("compress --model prony " + bead + "--C0 '1 MPa'"),
-            "packbed: --term is missing; give modulus and time such as \"0.4 MPa,12 s\"\n");
-  EXPECT_EQ(error("compress --model prony " + bead + "--C0 '1 MPa' --term '1 MPa'"),
-            "packbed: --term = \"1 MPa\" is refused: it has no comma; give modulus and time such "
-            "as \"0.4 MPa,12 s\"\n");
-  EXPECT_EQ(error("compress --model poroelastic " + bead +
-                  "--G0 '1 MPa' --pore-radius '20 nm' --intraparticle-porosity 0.8"),
-            "packbed: --model poroelastic is known for a step only (thesis eq. 3.38); use `packbed "
-            "bead relax`\n");
-  EXPECT_EQ(
-      error("relax --model hertz --E '1 MPa' --radius '30 um' --poisson 0.7 --depth '1 um' --time "
-            "'1 s'"),
-      "packbed: --poisson = \"0.7\" is outside (-1, 0.5]; give a fraction such as \"0.38\"\n");
+  for (const auto& [arguments, message] : mistakes) {
+    const auto outcome = run_packbed("bead " + arguments);
+    EXPECT_EQ(outcome.err, message);
+    EXPECT_EQ(outcome.code, 1) << arguments;
+  }
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ using testing::ElementsAre;
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 // y = a + b x on x = 0..n-1; parameters in the order a, b.
-FitProblem line(std::vector<double> y, double low = -inf, double high = inf) {
+FitProblem line(const std::vector<double>& y, double low = -inf, double high = inf) {
   FitProblem problem;
   problem.parameters = {{"a", 0.5, low, high}, {"b", 0.5, -inf, inf}};
   problem.rows = y.size();

@@ -49,7 +49,7 @@ std::vector<ColumnDatum> measured(const CompressibleBed& bed,
   return data;
 }
 
-WallSupportFitOptions fitting(std::vector<BedParameter> parameters) {
+WallSupportFitOptions fitting(const std::vector<BedParameter>& parameters) {
   WallSupportFitOptions options{.free = {}, .column = {}};
   for (const auto p : parameters) options.free.push_back(usual_bounds(p));
   options.starts = 3;
