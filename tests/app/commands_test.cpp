@@ -47,7 +47,7 @@ TEST(Check, OfTheQuickstartIsACaseFileAgain) {
 
   EXPECT_EQ(a, b);
   EXPECT_EQ(a["case"]["column"]["inner_diameter_m"], 4e-3);
-  EXPECT_EQ(a["case"]["protocol"].size(), 1U);
+  EXPECT_EQ(a["case"]["protocol"].size(), 3U);
   EXPECT_GT(a["figures"]["bed"]["height_m"], 0.0);
 }
 

@@ -105,8 +105,8 @@ TEST(CheckpointFaults, AnotherFormatIsNamed) {
   seal(file, checkpoint_format + 1);
 
   EXPECT_THAT(message_of([&] { open(file); }),
-              HasSubstr("the checkpoint has format 2, written by packbed " + std::string(version) +
-                        "; packbed " + version + " reads format 1"));
+              HasSubstr("the checkpoint has format 3, written by packbed " + std::string(version) +
+                        "; packbed " + version + " reads format 2"));
 }
 
 TEST(CheckpointFaults, ForeignFilesAreNamed) {
