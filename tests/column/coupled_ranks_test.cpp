@@ -47,9 +47,9 @@ int check() {
   Column shared(mesh, ranks);
   Column alone(mesh, Ranks::alone());
   double worst = 0.0;
-  for (int k = 0; k < 12; ++k) {
-    shared.bed.advance(shared.dem, 40);
-    alone.bed.advance(alone.dem, 40);
+  for (int k = 0; k < 20; ++k) {
+    shared.bed.advance(shared.dem, 100);
+    alone.bed.advance(alone.dem, 100);
     const double a = shared.bed.figures().pressure_drop;
     const double b = alone.bed.figures().pressure_drop;
     worst = std::max(worst, std::abs(a - b) / std::abs(b));
@@ -62,7 +62,8 @@ int check() {
     std::printf("%d ranks, %lld new shares: largest difference %.2g\n", ranks.size(),
                 static_cast<long long>(shared.dem.repartitions()), worst);
   }
-  return worst < 1e-7 ? 0 : 1;  // tolerances of the solver, 1e-8, over 12 exchanges
+  if (ranks.size() > 1 && shared.dem.repartitions() == 0) return 1;  // nothing was shared anew
+  return worst < 1e-7 ? 0 : 1;  // tolerances of the solver, 1e-8, over 20 exchanges
 }
 
 }  // namespace
