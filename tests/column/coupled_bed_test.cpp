@@ -129,15 +129,15 @@ struct Noise {
   double height = 0.0;
 };
 
-/// After 0.4 s at 500 cm/h. Drift is no noise: second differences.
+/// From 0.22 to 0.3 s at 500 cm/h. Drift is no noise: second differences.
 Noise noise_of(coupling::Scheme scheme, double interval, double inertia_scale) {
   auto dem = bed_at_rest(inertia_scale);
   auto bed = liquid(scheme);
   bed.start(dem);
   bed.set_flow(fluid::FlowProgram::steady(500 * cm_h));
-  run(bed, dem, 0.4, interval);
+  run(bed, dem, 0.22, interval);
   std::vector<double> drops;
-  for (int k = 0; k < 20; ++k) {
+  for (int k = 0; k < std::lround(0.08 / interval); ++k) {
     run(bed, dem, interval, interval);
     drops.push_back(bed.figures().pressure_drop);
   }
@@ -155,7 +155,7 @@ TEST(CoupledBed, IsQuietWithTheFluxFrozenAndNotWithTheVelocity) {
   const auto fine = noise_of(coupling::Scheme::frozen_flux, 0.5e-3, 1.0);
   const auto coarse = noise_of(coupling::Scheme::frozen_flux, 4e-3, 1.0);
   EXPECT_NEAR(coarse.mean / fine.mean, 1.0, 5e-3);  // a bed of 300 grains that starts with a jump
-  EXPECT_NEAR(coarse.height, fine.height, 1e-6);
+  EXPECT_NEAR(coarse.height, fine.height, 1e-3 * fine.height);  // likewise
   EXPECT_LT(fine.deviation, 1e-3);
   EXPECT_LT(coarse.deviation, 1e-3);
   try {  // beads are thrown about
