@@ -33,11 +33,17 @@ grep -q '^bed, walls in x' "$file" && xb=f xw=1
 lx=$(awk '/xlo/ { print $2 }' "$file")
 beads=$(awk '/ atoms/ { print $1 }' "$file")
 
-run_liggghts() {
+# LIGGGHTS leaves restart files where it runs if it is stopped.
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+file=$(readlink -f -- "$file")
+
+run_liggghts() (
+  cd "$scratch"
   taskset -c "$core" "$liggghts" -in "$here/in.liggghts" -var bed "$file" -var xb $xb -var xw $xw \
     -var lx "$lx" -var dt "$step" -var warm "$warm" -var n "$count" -var rep "$repeats" -log none |
     awk -v n="$beads" '/^Loop time/ && ++block > 1 { print 1e-6 * n * $9 / $4 }' | median
-}
+)
 
 median() { sort -g | awk '{ v[NR] = $1 } END { print (v[int((NR + 1) / 2)] + v[int(NR / 2) + 1]) / 2 }'; }
 
