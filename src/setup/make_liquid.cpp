@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <optional>
+#include <vector>
 
 #include "resin/size_statistics.hpp"
 #include "setup/make_dem.hpp"
@@ -33,6 +36,12 @@ Sizes sizes_of(const Case& c) {
   return {moments[1] / moments[0], moments[3] / moments[2] / c.resin.coarse_grain};
 }
 
+/// A property of the beads: that of the bead file, its mean, or that of the resin.
+double mean(const std::optional<double>& resin, const std::vector<double>& column) {
+  if (column.empty()) return *resin;
+  return std::accumulate(column.begin(), column.end(), 0.0) / static_cast<double>(column.size());
+}
+
 fluid::Boundaries boundaries_of(const mesh::ColumnShape& shape) {
   fluid::Boundaries b;
   const auto* box = std::get_if<mesh::Box>(&shape);
@@ -48,9 +57,10 @@ fluid::Boundaries boundaries_of(const mesh::ColumnShape& shape) {
 
 /// Force over overlap of a contact of two mean grains, at an overlap of a hundredth of a diameter [N/m].
 double stiffness_of(const Case& c, double grain) {
-  const dem::Material material{.youngs_modulus = c.resin.youngs_modulus.value_or(1e6),
-                               .poisson_ratio = c.resin.poisson_ratio.value_or(0.3)};
-  const auto bead = bead_properties(c, 0, grain, c.resin.density.value_or(1000.0), material);
+  const auto& t = c.beads.table;
+  const dem::Material material{.youngs_modulus = mean(c.resin.youngs_modulus, t.youngs_modulus),
+                               .poisson_ratio = mean(c.resin.poisson_ratio, t.poisson_ratio)};
+  const auto bead = bead_properties(c, 0, grain, mean(c.resin.density, t.density), material);
   const dem::Pair pair{.i = material,
                        .j = material,
                        .r_eff = 0.25 * grain,
@@ -73,7 +83,7 @@ column::FlowOptions common(const Case& c, const dem::StepChoice& step) {
                 .fixed_step = c.numerics.step,
                 .force_step = c.numerics.force_step};
   o.grains = {.viscosity = c.liquid->viscosity,
-              .density = c.resin.density.value_or(1000.0),
+              .density = mean(c.resin.density, c.beads.table.density),
               .bead_diameter = sizes.bead_sauter,
               .diameter = sizes.grain,
               .stiffness = stiffness_of(c, sizes.grain)};

@@ -21,6 +21,14 @@ Run read_run(Section& section) {
   return {.duration = section.quantity("duration", Dimension::time, bounds::not_negative)};
 }
 
+/// What flows comes in at the top and leaves below.
+void require_ends(const Section& section, const Context& context, const char* key) {
+  if (!context.has_liquid) section.fail(key, "needs a [liquid] section");
+  const auto* box = std::get_if<mesh::Box>(&context.column.shape);
+  if (box == nullptr || box->boundaries[2] != mesh::Boundary::periodic) return;
+  section.fail(key, "needs an inlet and an outlet; give column.boundaries.z = \"wall\"");
+}
+
 /// Beads that sink need something to sink to, and sides that hold them.
 void require_floor(const Section& section, const mesh::ColumnShape& shape) {
   const auto* box = std::get_if<mesh::Box>(&shape);
@@ -90,7 +98,7 @@ Tap read_tap(Section& section, Context& context) {
 FlowRamp read_flow_ramp(Section& section, Context& context) {
   FlowRamp ramp{};
   section.mention({"from", "to", "steps", "hold", "hold_limit", "change"});
-  if (!context.has_liquid) section.fail("step", "needs a [liquid] section");
+  require_ends(section, context, "step");
   const double area = mesh::flow_cross_section(context.column.shape);
   ramp.from = section.flow("from", area, Fallback{"0 cm/h"});
   ramp.to = section.flow("to", area);
@@ -111,7 +119,7 @@ FlowRamp read_flow_ramp(Section& section, Context& context) {
 
 Hold read_hold(Section& section, Context& context) {
   section.mention({"duration", "flow"});
-  if (!context.has_liquid && section.has("flow")) section.fail("flow", "needs a [liquid] section");
+  if (section.has("flow")) require_ends(section, context, "flow");
   return {.duration = section.quantity("duration", Dimension::time, bounds::not_negative),
           .flow = section.optional_flow("flow", mesh::flow_cross_section(context.column.shape))};
 }

@@ -96,6 +96,7 @@ void FlowStage::set_flow() {
 
 // An interval holds a whole number of steps of the beads, and ends where a plateau ends.
 After FlowStage::advance(dem::Dem& dem) {
+  if (options_.hold && *options_.hold <= 0.0) return After::end;
   auto stepping = options_.stepping;
   stepping.longest_step *= std::sqrt(state_.inertia_scale);
   choose_step(stepping, dem);
