@@ -16,6 +16,7 @@ fluid::Bed to_bed(coupling::BedFields fields) {
   bed.eps = std::move(fields.eps);
   bed.exchange = std::move(fields.exchange);
   bed.u_solid = std::move(fields.u_solid);
+  bed.source = std::move(fields.source);
   return bed;
 }
 

@@ -79,6 +79,10 @@ double damping_ratio_of_bed(const DraggedBed& bed, double scale);
 /// s loose_drag_time <= flow_step. Not below 1. Throws ValueError for numbers that are not positive.
 InertiaChoice dragged_inertia_scale(const DraggedBed& bed);
 
+/// Time in which the slowest mode of an overdamped bed falls to 1/e, at any scale [s]:
+///   drag rate / (s w_1^2) = drag rate rho (2 H / pi)^2 / M.
+double consolidation_time(const DraggedBed& bed);
+
 /// The monitor: one line that names the stage, the figures, their limits and a scale that would have
 /// been fine; nothing if the bed counts as static. Both figures grow with s in a slowly driven bed.
 std::optional<std::string> inertia_warning(std::string_view stage, double scale, const Snapshot& s);

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "column/protocol/bed_look.hpp"
-#include "dem/inertia_scale.hpp"
 
 namespace packbed::column {
 namespace {
@@ -29,6 +28,7 @@ void visit(State& s, Visit value) {
   value("next_output", s.next_output);
   value("unsteady", s.unsteady);
   value("inertia_scale", s.inertia_scale);
+  value("interval", s.interval);
 }
 
 }  // namespace
@@ -48,31 +48,32 @@ double FlowStage::ramp_time() const {
 }
 
 void FlowStage::begin(dem::Dem& dem) {
+  const auto bed = dragged_bed(dem);
   state_.inertia_scale =
-      options_.inertia_scale ? *options_.inertia_scale : chosen_inertia_scale(dem);
+      options_.inertia_scale.value_or(bed ? dem::dragged_inertia_scale(*bed).scale : 1.0);
+  double interval = std::min(longest_interval, interval_of_plateau * options_.hold.value_or(1.0));
+  if (bed) interval = std::min(interval, interval_of_consolidation * dem::consolidation_time(*bed));
+  state_.interval = options_.coupling_interval.value_or(interval);
   dem.set_inertia_scale(state_.inertia_scale);
   if (!dem.particles().in_liquid) liquid_.start(dem);
   state_.next_output = dem.time() + options_.interval;
   start_plateau();
 }
 
-// As far as a bed in a flow allows: overdamped in its lowest mode, loose beads fast against the flow.
-double FlowStage::chosen_inertia_scale(const dem::Dem& dem) const {
+// What the rules for inertia and exchanges ask for; nothing where there is no bed.
+std::optional<dem::DraggedBed> FlowStage::dragged_bed(const dem::Dem& dem) const {
   const auto& g = options_.grains;
   const auto bed = look_at_bed(dem, options_.area);
   const auto rest = rest_of(dem);
-  if (bed.height <= 0.0 || rest.coordination <= 0.0) return 1.0;
+  if (bed.height <= 0.0 || rest.coordination <= 0.0) return std::nullopt;
   const double phi = 1.0 - bed.porosity;
-  return dem::dragged_inertia_scale(
-             {.drag_rate =
-                  dem::kozeny_carman_drag_rate(phi, g.viscosity, g.bead_diameter, g.density),
-              .height = bed.height,
-              .modulus = dem::estimated_modulus(rest.coordination, phi, g.stiffness, g.diameter),
-              .bulk_density = phi * g.density,
-              .loose_drag_time =
-                  g.density * g.bead_diameter * g.bead_diameter / (18.0 * g.viscosity),
-              .flow_step = options_.hold.value_or(look_every)})
-      .scale;
+  return dem::DraggedBed{
+      .drag_rate = dem::kozeny_carman_drag_rate(phi, g.viscosity, g.bead_diameter, g.density),
+      .height = bed.height,
+      .modulus = dem::estimated_modulus(rest.coordination, phi, g.stiffness, g.diameter),
+      .bulk_density = phi * g.density,
+      .loose_drag_time = g.density * g.bead_diameter * g.bead_diameter / (18.0 * g.viscosity),
+      .flow_step = options_.hold.value_or(look_every)};
 }
 
 void FlowStage::start_plateau() {
@@ -100,7 +101,7 @@ After FlowStage::advance(dem::Dem& dem) {
   auto stepping = options_.stepping;
   stepping.longest_step *= std::sqrt(state_.inertia_scale);
   choose_step(stepping, dem);
-  double interval = options_.coupling_interval;
+  double interval = state_.interval;
   if (options_.hold) {
     const double left = state_.started + *options_.hold - liquid_.time();
     interval = left / std::max(1.0, std::ceil(left / interval - 1e-9));
@@ -164,9 +165,14 @@ std::string FlowStage::result(const dem::Dem& dem) const {
   const double height = look_at_bed(dem, options_.area).height;
   auto text = fmt::format(
       "{:.4g} cm/h, pressure drop {:.5g} bar ({:.4g} bar/m), bed height {:.4f} mm, inertia scale "
-      "{:.4g}",
+      "{:.4g}, exchanges every {:.3g} ms",
       f.superficial_velocity / cm_h, 1e-5 * f.pressure_drop,
-      height > 0.0 ? 1e-5 * f.pressure_drop / height : 0.0, 1e3 * height, state_.inertia_scale);
+      height > 0.0 ? 1e-5 * f.pressure_drop / height : 0.0, 1e3 * height, state_.inertia_scale,
+      1e3 * state_.interval);
+  if (liquid_.options().coupling.overlap == coupling::OverlapRule::merged) {
+    text += fmt::format("; {} pairs of contacts of a bead take the same part of it",
+                        dem.meeting_lenses());
+  }
   if (state_.unsteady > 0) {
     text += fmt::format("; {} of {} plateaus were not steady at their end", state_.unsteady,
                         options_.steps);

@@ -9,6 +9,7 @@
 #include "column/coupled_bed.hpp"
 #include "column/protocol/stage.hpp"
 #include "column/protocol/stepping.hpp"
+#include "dem/inertia_scale.hpp"
 
 namespace packbed::column {
 
@@ -23,7 +24,7 @@ struct FlowOptions {
   bool ramps = true;                    ///< to the next plateau in a linear ramp; else in a jump
   double interval = 0.0;                ///< between rows of the outputs [s]
   double area = 0.0;                    ///< cross-section of the bed [m2]
-  double coupling_interval = 0.0;       ///< longest time between exchanges of beads and liquid [s]
+  std::optional<double> coupling_interval;  ///< longest time between exchanges [s]; none: by the rule
   std::optional<double> inertia_scale;  ///< none: as far as the rule for beds in a flow goes
   SteppingOptions stepping{};           ///< at an inertia scale of 1
   /// What the rule asks for besides the bed itself.
@@ -47,6 +48,7 @@ struct FlowState {
   double next_output = 0.0;     ///< [s]
   std::int64_t unsteady = 0;    ///< plateaus that were not steady when their time was over
   double inertia_scale = 1.0;
+  double interval = 0.0;  ///< longest time between exchanges of beads and liquid [s]
 };
 
 /// The steps "flow_ramp" and "hold": an interval of coupling per slice. A plateau is steady when bed height
@@ -67,7 +69,7 @@ class FlowStage : public Stage {
  private:
   [[nodiscard]] double velocity(std::int64_t plateau) const;
   [[nodiscard]] double ramp_time() const;
-  [[nodiscard]] double chosen_inertia_scale(const dem::Dem& dem) const;
+  [[nodiscard]] std::optional<dem::DraggedBed> dragged_bed(const dem::Dem& dem) const;
   void start_plateau();
   void set_flow();
   [[nodiscard]] bool looks_steady(const dem::Dem& dem);
@@ -77,6 +79,12 @@ class FlowStage : public Stage {
   CoupledBed& liquid_;
   FlowState state_;
 };
+
+/// The rule for the time between exchanges of beads and liquid: at most this, and shares of the time in which
+/// the bed consolidates and of a plateau.
+inline constexpr double longest_interval = 5e-3;  // [s]
+inline constexpr double interval_of_consolidation = 0.25;
+inline constexpr double interval_of_plateau = 0.05;
 
 /// Relative change per second of pressure drop, and of bed height, below which a plateau counts as steady.
 inline constexpr double steady_rate = 0.02;
