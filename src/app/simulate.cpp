@@ -74,7 +74,13 @@ class Simulation {
  private:
   void start() {
     log_.line(fmt::format("packbed {}, case {}", version, c_.file.string()));
-    dem_.emplace(setup::make_dem(c_, choice_.step, Ranks::all()));
+    if (c_.beads.run) {
+      dem_.emplace(setup::options_of(c_, choice_.step), take_bed(c_, choice_.step),
+                   dem::Dem::Lists::anew, Ranks::all());
+      log_.line(fmt::format("bed taken from {}", c_.beads.run->string()));
+    } else {
+      dem_.emplace(setup::make_dem(c_, choice_.step, Ranks::all()));
+    }
     log_.line(fmt::format("{} beads on {} ranks", dem_->bead_count(), Ranks::all().size()));
     log_.line(c_.numerics.inertia_scale
                   ? fmt::format("inertia scale {} (given)", *c_.numerics.inertia_scale)
@@ -86,6 +92,7 @@ class Simulation {
     outputs_.emplace(c_, folder_, *dem_, nullptr);
     progress_.emplace(0);
     outputs_->row(*dem_, nullptr, 0);
+    if (c_.beads.run) outputs_->set_settled(*dem_);
     outputs_->stage_end(*dem_, 0);
   }
 

@@ -96,8 +96,8 @@ BedFields Coupling::bed(const dem::Dem& dem, const mesh::ColumnMesh& mesh, doubl
 std::vector<double> Coupling::expelled(double dt) {
   std::vector<double> sums(window_.size());
   for (std::size_t i = 0; i < grains_.size(); ++i) {
-    weights_.for_each(i,
-                      [&](std::int64_t cell, double w) { sums[at(cell)] += w * grains_[i].expelled; });
+    weights_.for_each(
+        i, [&](std::int64_t cell, double w) { sums[at(cell)] += w * grains_[i].expelled; });
   }
   window_.add_to_owners(sums, 1);
   std::vector<double> source;

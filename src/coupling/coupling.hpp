@@ -48,7 +48,8 @@ struct BedFields {
   std::vector<double> eps{};       ///< void fraction
   std::vector<double> exchange{};  ///< B = sum w K / V, K in the cell [kg/(m3 s)]
   std::vector<Vec3> u_solid{};     ///< sum w K v / sum w K [m/s]
-  std::vector<double> source{};    ///< water that left the beads since the last pull [1/s]; empty: none
+  std::vector<double>
+      source{};  ///< water that left the beads since the last pull [1/s]; empty: none
 };
 
 /// What the liquid is to the beads, one value per own cell.

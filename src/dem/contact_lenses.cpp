@@ -12,8 +12,8 @@ namespace {
 
 /// Part of a bead beyond a plane.
 struct Cap {
-  std::size_t bead = 0;   ///< place
-  Vec3 direction;         ///< unit vector from the center to the plane
+  std::size_t bead = 0;     ///< place
+  Vec3 direction;           ///< unit vector from the center to the plane
   double half_angle = 0.0;  ///< as seen from the center
 };
 

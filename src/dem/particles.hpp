@@ -65,8 +65,8 @@ struct Particles {
   AlignedVector<Motion> motion{};
   AlignedVector<Spin> spin{};
   AlignedVector<Load> load{};
-  AlignedVector<Vec3> reference{};   ///< centers when pairs were last listed
-  AlignedVector<Drag> drag{};        ///< one per bead in a liquid, else empty; no dummies
+  AlignedVector<Vec3> reference{};           ///< centers when pairs were last listed
+  AlignedVector<Drag> drag{};                ///< one per bead in a liquid, else empty; no dummies
   AlignedVector<CouplingMark> coupled_at{};  ///< likewise
   std::vector<BeadProperties> properties{};
   std::vector<std::int32_t> owner{};  ///< rank that owns the bead

@@ -83,15 +83,18 @@ enum class CouplingSchemeName { frozen_flux, frozen_velocity };
 struct CouplingOptions {
   OverlapRuleName overlap = OverlapRuleName::full;
   CouplingSchemeName scheme = CouplingSchemeName::frozen_flux;
-  std::optional<double> averaging_width{};  ///< reach of the kernel [m]; none: chosen by the program
-  std::optional<double> interval{};         ///< longest between exchanges [s]; none: chosen likewise
+  std::optional<double>
+      averaging_width{};             ///< reach of the kernel [m]; none: chosen by the program
+  std::optional<double> interval{};  ///< longest between exchanges [s]; none: chosen likewise
   bool operator==(const CouplingOptions&) const = default;
 };
 
 struct BeadOptions {
   std::optional<std::filesystem::path> csv;
-  io::BeadTable table;                ///< of `csv`; empty otherwise
-  std::optional<std::int64_t> count;  ///< grains to make, where a number is asked for
+  io::BeadTable table;                       ///< of `csv`; empty otherwise
+  std::optional<std::int64_t> count;         ///< grains to make, where a number is asked for
+  std::optional<std::filesystem::path> run;  ///< folder of the run whose last state the beads are
+  std::int64_t beads_of_run = 0;             ///< their number
   bool operator==(const BeadOptions&) const = default;
 };
 

@@ -94,9 +94,8 @@ column::CoupledOptions coupled_options(const Case& c) {
   o.fluid.boundaries = boundaries_of(c.column.shape);
   o.coupling.drag = drag_law(c.drag.law);
   o.coupling.min_void_fraction = c.drag.min_void_fraction;
-  o.coupling.overlap = c.coupling.overlap == OverlapRuleName::merged
-                           ? coupling::OverlapRule::merged
-                           : coupling::OverlapRule::full;
+  o.coupling.overlap = c.coupling.overlap == OverlapRuleName::merged ? coupling::OverlapRule::merged
+                                                                     : coupling::OverlapRule::full;
   o.coupling.scheme = c.coupling.scheme == CouplingSchemeName::frozen_velocity
                           ? coupling::Scheme::frozen_velocity
                           : coupling::Scheme::frozen_flux;

@@ -14,9 +14,8 @@ namespace {
 Case read_tables(const toml::table& table, Reading& reading) {
   Case c;
   Section top(reading, table, "", "");
-  for (const auto* key :
-       {"title", "column", "resin", "liquid", "drag", "coupling", "beads", "protocol", "numerics",
-        "output"}) {
+  for (const auto* key : {"title", "column", "resin", "liquid", "drag", "coupling", "beads",
+                          "protocol", "numerics", "output"}) {
     top.mention(key);
   }
   top.finish();  // before anything else: a misspelt section would look like a missing one

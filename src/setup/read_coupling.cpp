@@ -25,9 +25,10 @@ void check_width(const Section& section, const Case& c) {
   const double reach = averaging_reach(c);
   const double cell = c.column.mesh->cell;
   if (reach < cell) {
-    section.fail("averaging_width", fmt::format("is narrower than a cell of the liquid ({:.4g} mm); "
-                                                "make it wider, or column.mesh.cell smaller",
-                                                per_mm * cell));
+    section.fail("averaging_width",
+                 fmt::format("is narrower than a cell of the liquid ({:.4g} mm); "
+                             "make it wider, or column.mesh.cell smaller",
+                             per_mm * cell));
   }
   const double most = most_averaging_reach(c);
   if (reach <= most || !any_flow(c.protocol)) return;
@@ -44,9 +45,8 @@ void check_width(const Section& section, const Case& c) {
 
 DragOptions read_drag(Section section) {
   DragOptions drag;
-  drag.law = static_cast<DragLawName>(
-      section.choice("law", {"koch_hill", "ergun", "gidaspow", "di_felice", "beetstra"},
-                     Fallback{"koch_hill"}));
+  drag.law = static_cast<DragLawName>(section.choice(
+      "law", {"koch_hill", "ergun", "gidaspow", "di_felice", "beetstra"}, Fallback{"koch_hill"}));
   drag.min_void_fraction = section.quantity_or_word(
       "min_void_fraction", Dimension::fraction, bounds::between_0_and_1, "none", Fallback{"none"});
   section.finish();
@@ -56,8 +56,8 @@ DragOptions read_drag(Section section) {
 CouplingOptions read_coupling(Section section, const Case& c) {
   Case with = c;  // with what is read here
   auto& coupling = with.coupling;
-  coupling.overlap = static_cast<OverlapRuleName>(
-      section.choice("overlap", {"full", "merged"}, Fallback{"full"}));
+  coupling.overlap =
+      static_cast<OverlapRuleName>(section.choice("overlap", {"full", "merged"}, Fallback{"full"}));
   coupling.scheme = static_cast<CouplingSchemeName>(
       section.choice("scheme", {"frozen_flux", "frozen_velocity"}, Fallback{"frozen_flux"}));
   coupling.averaging_width = section.quantity_or_word("averaging_width", Dimension::length,

@@ -15,16 +15,17 @@ namespace packbed::column {
 
 /// A flow that goes from one velocity to another in equal steps, or stays as it is.
 struct FlowOptions {
-  std::string name = "flow_ramp";       ///< of the protocol step
-  double from = 0.0;                    ///< superficial velocity, downwards [m/s]
-  double to = 0.0;                      ///< [m/s]
-  std::int64_t steps = 1;               ///< plateaus
-  std::optional<double> hold;           ///< time of each [s]; none: until steady
-  double hold_limit = 0.0;              ///< longest time of a plateau [s]
-  bool ramps = true;                    ///< to the next plateau in a linear ramp; else in a jump
-  double interval = 0.0;                ///< between rows of the outputs [s]
-  double area = 0.0;                    ///< cross-section of the bed [m2]
-  std::optional<double> coupling_interval;  ///< longest time between exchanges [s]; none: by the rule
+  std::string name = "flow_ramp";  ///< of the protocol step
+  double from = 0.0;               ///< superficial velocity, downwards [m/s]
+  double to = 0.0;                 ///< [m/s]
+  std::int64_t steps = 1;          ///< plateaus
+  std::optional<double> hold;      ///< time of each [s]; none: until steady
+  double hold_limit = 0.0;         ///< longest time of a plateau [s]
+  bool ramps = true;               ///< to the next plateau in a linear ramp; else in a jump
+  double interval = 0.0;           ///< between rows of the outputs [s]
+  double area = 0.0;               ///< cross-section of the bed [m2]
+  std::optional<double>
+      coupling_interval;                ///< longest time between exchanges [s]; none: by the rule
   std::optional<double> inertia_scale;  ///< none: as far as the rule for beds in a flow goes
   SteppingOptions stepping{};           ///< at an inertia scale of 1
   /// What the rule asks for besides the bed itself.
