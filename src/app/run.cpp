@@ -75,7 +75,7 @@ void tell_results(const RunSummary& r) {
 
 void tell_files(const setup::Case& c, const std::filesystem::path& folder) {
   std::string files = "series.csv";
-  for (const auto* name : {"sections.csv", "profiles", "frames"}) {
+  for (const auto* name : {"sections.csv", "plateaus.csv", "profiles", "frames"}) {
     if (std::filesystem::exists(folder / name)) files += fmt::format(", {}", name);
   }
   if (c.protocol.empty()) fmt::print("The protocol has no steps: the start was written.\n");

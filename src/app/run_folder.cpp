@@ -27,17 +27,23 @@ struct Pattern {
 constexpr Pattern patterns[] = {{"", "summary.json", ""},
                                 {"", "series.csv", ""},
                                 {"", "sections.csv", ""},
+                                {"", "plateaus.csv", ""},
                                 {"", "case.toml", ""},
                                 {"", "run.log", ""},
                                 {"frames", "beads_", ".csv"},
                                 {"frames", "beads_", ".hdf"},
                                 {"frames", "contacts_", ".hdf"},
+                                {"frames", "liquid_", ".hdf"},
                                 {"frames", "beads", ".series"},
                                 {"frames", "contacts", ".series"},
+                                {"frames", "liquid", ".series"},
                                 {"profiles", "x_", ".csv"},
                                 {"profiles", "y_", ".csv"},
                                 {"profiles", "z_", ".csv"},
                                 {"profiles", "wall_distance_", ".csv"},
+                                {"profiles", "plateau_z_", ".csv"},
+                                {"profiles", "plateau_x_", ".csv"},
+                                {"profiles", "plateau_radius_", ".csv"},
                                 {"checkpoints", "checkpoint_", ".h5"}};
 
 bool matches(std::string name, const Pattern& pattern) {

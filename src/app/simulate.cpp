@@ -86,7 +86,7 @@ class Simulation {
     outputs_.emplace(c_, folder_, *dem_, nullptr);
     progress_.emplace(0);
     outputs_->row(*dem_, nullptr, 0);
-    outputs_->stage_end(*dem_, 0);
+    outputs_->stage_end(*dem_, nullptr, 0);
   }
 
   void go_on() {
@@ -118,11 +118,14 @@ class Simulation {
     for (auto after = column::After::goes_on; after != column::After::end;) {
       after = stage->advance(*dem_);
       if (after != column::After::goes_on) outputs_->row(*dem_, liquid_.get(), now_.stage + 1);
+      if (const auto plateau = stage->finished_plateau()) {
+        outputs_->plateau(*plateau, *liquid_, now_.stage + 1);
+      }
       show_progress(*stage);
       if (after != column::After::end) answer_clock_and_signals(*stage);
     }
     if (stage->name() == "settle") outputs_->set_settled(*dem_);
-    outputs_->stage_end(*dem_, now_.stage + 1);
+    outputs_->stage_end(*dem_, liquid_.get(), now_.stage + 1);
     log_.line(fmt::format("stage {}: {}, {}", now_.stage + 1, stage->name(), stage->result(*dem_)));
     judge_inertia(stage->name());
     now_.stage_state = nullptr;

@@ -51,6 +51,7 @@ class CoupledBed {
   [[nodiscard]] double time() const { return fluid_.time(); }  ///< of the liquid [s]
   [[nodiscard]] LiquidFigures figures() const;
   [[nodiscard]] const fluid::Fluid& fluid() const { return fluid_; }
+  [[nodiscard]] const mesh::ColumnShape& shape() const { return shape_; }
 
   [[nodiscard]] fluid::FluidState save() const { return fluid_.save(); }
   /// For a resumed run; the beads have their drag from their own state.
