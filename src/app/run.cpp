@@ -49,6 +49,7 @@ void add_results(nlohmann::ordered_json& summary, const RunSummary& r) {
     summary["bed_height_at_highest_flow_m"] = f.highest_flow.bed_height;
   }
   summary["warnings"] = r.warnings;
+  summary["timings"] = to_json(r.timings);
   summary["wall_time_s"] = r.wall_time;
 }
 

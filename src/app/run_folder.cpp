@@ -44,7 +44,8 @@ constexpr Pattern patterns[] = {{"", "summary.json", ""},
                                 {"profiles", "plateau_z_", ".csv"},
                                 {"profiles", "plateau_x_", ".csv"},
                                 {"profiles", "plateau_radius_", ".csv"},
-                                {"checkpoints", "checkpoint_", ".h5"}};
+                                {"checkpoints", "checkpoint_", ".h5"},
+                                {"checkpoints", "timings.json", ""}};
 
 bool matches(std::string name, const Pattern& pattern) {
   if (name.ends_with(".part")) name.resize(name.size() - 5);

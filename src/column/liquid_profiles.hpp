@@ -20,6 +20,7 @@ struct LiquidBin {
   double porosity = 0.0;              ///< void fraction that the liquid sees
   double superficial_velocity = 0.0;  ///< downwards, -eps u_z [m/s]
   double pressure = 0.0;              ///< without its hydrostatic part [Pa]
+  bool operator==(const LiquidBin&) const = default;
 };
 
 /// The layers of the mesh, from the outlet up.
