@@ -102,7 +102,7 @@ fs::path write_checkpoint(const setup::Case& c,
   io::write_dem_state(writer, dem.state());
   if (liquid != nullptr) write_fluid_state(writer, liquid->save());
   const auto file = writer.commit();
-  if (dem.ranks().is_first()) io::prune_checkpoints(place, static_cast<std::size_t>(keep));
+  prune_checkpoints(folder, keep);
   return file;
 }
 
@@ -144,6 +144,11 @@ dem::DemState take_bed(const setup::Case& c, double step) {
     bead.properties.fixed = fixed;
   }
   return state;
+}
+
+void prune_checkpoints(const fs::path& folder, int keep) {
+  if (!Ranks::all().is_first()) return;
+  io::prune_checkpoints(folder_of_checkpoints(folder), static_cast<std::size_t>(keep));
 }
 
 LoadedCheckpoint read_checkpoint(const setup::Case& c, const fs::path& folder) {

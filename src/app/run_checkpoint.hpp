@@ -35,6 +35,9 @@ std::filesystem::path write_checkpoint(const setup::Case& c,
                                        const RunState& state,
                                        int keep);
 
+/// Takes all but the last `keep` away. All ranks call.
+void prune_checkpoints(const std::filesystem::path& folder, int keep);
+
 struct LoadedCheckpoint {
   std::filesystem::path file;
   dem::DemState beads;                      ///< of all ranks

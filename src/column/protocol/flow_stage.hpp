@@ -42,7 +42,8 @@ struct FlowOptions {
 /// All that a flow stage remembers.
 struct FlowState {
   std::int64_t plateau = 0;     ///< that is under way, from 0
-  double started = 0.0;         ///< when it began [s]
+  double started = 0.0;         ///< when it began, by the time of the liquid [s]
+  double started_of_run = 0.0;  ///< by that of the beads [s]
   double window_started = 0.0;  ///< the last look at how steady it is [s]
   double height = 0.0;          ///< of the bed then [m]
   double pressure_drop = 0.0;   ///< then [Pa]
@@ -50,6 +51,7 @@ struct FlowState {
   std::int64_t unsteady = 0;    ///< plateaus that were not steady when their time was over
   double inertia_scale = 1.0;
   double interval = 0.0;  ///< longest time between exchanges of beads and liquid [s]
+  Samples drops;  ///< pressure drop while the velocity stays [Pa], as far back as noise may want it
 };
 
 /// The steps "flow_ramp" and "hold": an interval of coupling per slice. A plateau is steady when bed height
@@ -61,6 +63,7 @@ class FlowStage : public Stage {
   [[nodiscard]] std::string_view name() const override { return options_.name; }
   void begin(dem::Dem& dem) override;
   After advance(dem::Dem& dem) override;
+  [[nodiscard]] std::optional<Plateau> finished_plateau() const override { return finished_; }
   [[nodiscard]] double share_done(const dem::Dem& dem) const override;
   [[nodiscard]] std::string doing() const override;
   [[nodiscard]] std::string result(const dem::Dem& dem) const override;
@@ -71,14 +74,21 @@ class FlowStage : public Stage {
   [[nodiscard]] double velocity(std::int64_t plateau) const;
   [[nodiscard]] double ramp_time() const;
   [[nodiscard]] std::optional<dem::DraggedBed> dragged_bed(const dem::Dem& dem) const;
-  void start_plateau();
+  void start_plateau(const dem::Dem& dem);
+  void end_plateau(const dem::Dem& dem, bool is_steady);
+  void watch_drop();
   void set_flow();
   [[nodiscard]] bool looks_steady(const dem::Dem& dem);
-  [[nodiscard]] bool plateau_is_over(const dem::Dem& dem);
+  struct Look {
+    bool is_over = false;
+    bool is_steady = false;
+  };
+  [[nodiscard]] Look look_at_plateau(const dem::Dem& dem);
 
   FlowOptions options_;
   CoupledBed& liquid_;
   FlowState state_;
+  std::optional<Plateau> finished_;  ///< with the last slice
 };
 
 /// The rule for the time between exchanges of beads and liquid: at most this, and shares of the time in which
