@@ -58,7 +58,7 @@ struct DraggedBed {
   double height;           ///< [m]
   double modulus;          ///< in uniaxial strain [Pa]
   double bulk_density;     ///< solid fraction times bead density [kg/m3]
-  double loose_drag_time;  ///< mass / drag coefficient of a loose bead, at s = 1 [s]
+  double loose_drag_time;  ///< mass / drag coefficient of a bead without contacts, at s = 1 [s]
   double flow_step;        ///< time for which the flow stays as it is [s]
 };
 

@@ -74,12 +74,16 @@ std::optional<dem::DraggedBed> FlowStage::dragged_bed(const dem::Dem& dem) const
   const auto rest = rest_of(dem);
   if (bed.height <= 0.0 || rest.coordination <= 0.0) return std::nullopt;
   const double phi = 1.0 - bed.porosity;
+  const double drag_rate =
+      dem::kozeny_carman_drag_rate(phi, g.viscosity, g.bead_diameter, g.density);
+  const bool presses = options_.from >= 0.0 && options_.to >= 0.0;  // no bead leaves the bed
+  const double alone = g.density * g.bead_diameter * g.bead_diameter / (18.0 * g.viscosity);
   return dem::DraggedBed{
-      .drag_rate = dem::kozeny_carman_drag_rate(phi, g.viscosity, g.bead_diameter, g.density),
+      .drag_rate = drag_rate,
       .height = bed.height,
       .modulus = dem::estimated_modulus(rest.coordination, phi, g.stiffness, g.diameter),
       .bulk_density = phi * g.density,
-      .loose_drag_time = g.density * g.bead_diameter * g.bead_diameter / (18.0 * g.viscosity),
+      .loose_drag_time = presses ? 1.0 / drag_rate : alone,
       .flow_step = options_.hold.value_or(look_every)};
 }
 
