@@ -101,7 +101,7 @@ fs::path write_checkpoint(const setup::Case& c,
   writer.text("run", run.dump(-1, ' ', false, Json::error_handler_t::replace));
   io::write_dem_state(writer, dem.state());
   if (liquid != nullptr) write_fluid_state(writer, liquid->save());
-  const auto file = writer.commit();
+  auto file = writer.commit();
   prune_checkpoints(folder, keep);
   return file;
 }
