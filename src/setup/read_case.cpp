@@ -30,7 +30,7 @@ Case read_tables(const toml::table& table, Reading& reading) {
   if (top.has("liquid")) c.liquid = read_liquid(top.table("liquid"));
   c.protocol = read_protocol(top.tables("protocol"), c.column, c.beads, c.liquid.has_value());
   c.numerics = read_numerics(top.table("numerics"), c.protocol);
-  c.output = read_output(top.table("output"), reading.file);
+  c.output = read_output(top.table("output"), reading.file, reading.units);
   return c;
 }
 
