@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "report/plot.hpp"
 
 namespace packbed::report {
@@ -121,7 +122,8 @@ std::string numerics_line(const RunData& run) {
   const auto step = run.number("/bead_step_s");
   const auto scale = run.number("/inertia_scale");
   if (step && scale) {
-    line += fmt::format("; at the end {:.4g} us and {:.4g}", per_um * *step, *scale);
+    line += fmt::format("; at the end of the run: time step {:.4g} us, inertia scale {:.4g}",
+                        per_um * *step, *scale);
   }
   return line;
 }
@@ -183,6 +185,22 @@ std::string step_text(const Json& step, const UnitSystem& units) {
   return words;
 }
 
+/// "/protocol/1/to" as check and resume call it: "protocol[2].to".
+std::string key_of(std::string_view pointer) {
+  std::string key;
+  while (!pointer.empty()) {
+    pointer.remove_prefix(1);
+    const auto part = pointer.substr(0, pointer.find('/'));
+    pointer.remove_prefix(part.size());
+    if (const auto place = to_number(part)) {
+      key += fmt::format("[{:.0f}]", *place + 1.0);
+    } else {
+      key += fmt::format("{}{}", key.empty() ? "" : ".", part);
+    }
+  }
+  return key;
+}
+
 std::vector<Sentence> sentences(const Json& steps, const UnitSystem& units) {
   std::vector<Sentence> all;
   for (const auto& step : steps) {
@@ -213,7 +231,8 @@ std::vector<Sentence> protocol_sentences(const RunData& run, const UnitSystem& u
 std::vector<Difference> differences(const std::vector<RunData>& runs) {
   std::vector<Difference> all;
   for (std::size_t r = 0; r < runs.size(); ++r) {
-    for (const auto& [pointer, value] : runs[r].values.flatten().items()) {
+    const auto flat = runs[r].values.flatten();
+    for (const auto& [pointer, value] : flat.items()) {
       if (pointer == "/title" || pointer.starts_with("/output/")) continue;
       const auto found = std::ranges::find(all, pointer, &Difference::key);
       auto& row =
@@ -226,10 +245,7 @@ std::vector<Difference> differences(const std::vector<RunData>& runs) {
   std::erase_if(all, [](const Difference& row) {
     return std::ranges::all_of(row.values, [&](const auto& v) { return v == row.values.front(); });
   });
-  for (auto& row : all) {
-    row.key.erase(0, 1);
-    std::ranges::replace(row.key, '/', '.');
-  }
+  for (auto& row : all) row.key = key_of(row.key);
   return all;
 }
 

@@ -49,8 +49,8 @@ void add_kozeny_carman(Plot& plot, double slope, std::span<const RunData> runs, 
     low = std::min(low, p.velocity);
     high = std::max(high, p.velocity);
   }
-  Curve curve{.label = curve_label(runs, r, "Kozeny-Carman, settled bed"), .x = {}, .y = {}};
-  curve.draw = Draw::dashed;
+  Curve curve{.label = curve_label(runs, r, "Kozeny-Carman"), .x = {}, .y = {}};
+  curve.draw = Draw::dotted;
   curve.color = runs.size() == 1 ? gray : static_cast<int>(r);
   constexpr int pieces = 40;  // so that there is always a point near the pointer
   for (int k = 0; k <= pieces; ++k) {

@@ -17,42 +17,27 @@ std::string written(std::optional<double> value, double factor, const char* form
   return value && std::isfinite(*value) ? fmt::format(fmt::runtime(form), factor * *value) : "";
 }
 
-std::optional<double> ratio(std::optional<double> above, std::optional<double> below) {
-  if (!above || !below || *below == 0.0) return std::nullopt;
-  return *above / *below;
-}
-
-std::optional<double> compression(std::optional<double> height, std::optional<double> settled) {
-  const auto share = ratio(height, settled);
-  if (!share) return std::nullopt;
-  return 1.0 - *share;
-}
-
-/// Steps that have a flow; the summary of a run that has none tells of a flow of zero.
-std::optional<double> highest_velocity(const RunData& run) {
-  const auto velocity = run.number("/highest_superficial_velocity_m_s");
-  return velocity && *velocity != 0.0 ? velocity : std::nullopt;
-}
-
-std::string kozeny_carman_note(const RunData& run) {
-  const auto resistance = kozeny_carman_resistance(run);
-  const auto velocity = highest_velocity(run);
-  if (!resistance || !velocity) return {};
-  return written(*resistance * *velocity, per_bar, "Kozeny-Carman, settled bed: {:.4g} bar/m");
+/// Of microseconds to days, with three or four digits.
+std::string duration(std::optional<double> seconds) {
+  if (!seconds) return {};
+  const double s = *seconds;
+  if (s >= 7200.0) return fmt::format("{:.4g} h", s / 3600.0);
+  if (s >= 120.0) return fmt::format("{:.3g} min", s / 60.0);
+  if (s >= 0.1 || s == 0.0) return fmt::format("{:.3g} s", s);
+  return s >= 1e-4 ? fmt::format("{:.3g} ms", 1e3 * s) : fmt::format("{:.3g} us", 1e6 * s);
 }
 
 void add_flow(const RunData& run, std::vector<KeyFigure>& figures) {
-  const auto velocity = highest_velocity(run);
-  const auto drop = velocity ? run.number("/pressure_drop_at_highest_flow_Pa") : std::nullopt;
-  const auto height = velocity ? run.number("/bed_height_at_highest_flow_m") : std::nullopt;
-  const auto settled = run.number("/settled_height_m");
-  const auto gradient = ratio(drop, height);
-  figures.push_back({"Highest superficial velocity", written(velocity, per_cm_h, "{:.4g} cm/h")});
-  figures.push_back({"Pressure drop there", written(drop, per_bar, "{:.4g} bar")});
-  figures.push_back({"Per present bed height", written(gradient, per_bar, "{:.4g} bar/m"),
-                     kozeny_carman_note(run)});
+  const auto flow = run.plateaus.empty() ? Plateau{} : run.plateaus[highest_flow(run.plateaus)];
+  const auto resistance = kozeny_carman_resistance(run);
   figures.push_back(
-      {"Compression there", written(compression(height, settled), 100.0, "{:.2f} %")});
+      {"Highest superficial velocity", written(flow.velocity, per_cm_h, "{:.4g} cm/h")});
+  figures.push_back({"Pressure drop there", written(flow.pressure_drop, per_bar, "{:.4g} bar")});
+  figures.push_back({"Per present bed height",
+                     written(flow.pressure_gradient, per_bar, "{:.4g} bar/m"),
+                     written(resistance.value_or(unknown) * flow.velocity, per_bar,
+                             "Kozeny-Carman, settled bed: {:.4g} bar/m")});
+  figures.push_back({"Compression there", written(flow.compression, 100.0, "{:.2f} %")});
 }
 
 }  // namespace
@@ -74,9 +59,10 @@ std::vector<KeyFigure> key_figures(const RunData& run) {
   figures.push_back(
       {"Budget error at the end", written(run.number("/budget_error"), 1.0, "{:.1e}")});
   figures.push_back({"Simulated grains", written(run.number("/beads"), 1.0, "{:.0f}")});
-  figures.push_back({"Simulated time", written(run.number("/simulated_time_s"), 1.0, "{:.4g} s")});
-  figures.push_back({"Wall time", written(run.number("/wall_time_s"), 1.0, "{:.4g} s"),
-                     written(run.number("/ranks"), 1.0, "on {:.0f} ranks")});
+  figures.push_back({"Simulated time", duration(run.number("/simulated_time_s"))});
+  const auto ranks = run.number("/ranks");
+  figures.push_back({"Wall time", duration(run.number("/wall_time_s")),
+                     written(ranks, 1.0, ranks == 1.0 ? "on {:.0f} rank" : "on {:.0f} ranks")});
   return figures;
 }
 

@@ -2,6 +2,7 @@
 #include "report/page.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -81,7 +82,9 @@ std::string table(const std::string& head, const std::string& rows) {
 std::string figure_table(const std::vector<RunData>& runs) {
   std::vector<std::vector<KeyFigure>> all;
   for (const auto& run : runs) all.push_back(key_figures(run));
-  std::string rows;
+  std::vector<std::string> titles;
+  for (const auto& run : runs) titles.push_back(run.title());
+  auto rows = row("Title", titles);
   for (std::size_t k = 0; k < all.front().size(); ++k) {
     std::vector<std::string> values;
     for (const auto& figures : all) values.push_back(figures[k].value);
@@ -172,12 +175,19 @@ std::string subtitle(const std::vector<RunData>& runs) {
                      escaped(std::filesystem::path(summary.value("case", "")).filename().string()));
 }
 
+/// By their titles, else by their folders.
 void tell_apart(std::vector<RunData>& runs) {
-  for (auto& run : runs) {
-    const auto is_like = [&](const RunData& other) { return other.title() == run.title(); };
-    if (std::ranges::count_if(runs, is_like) == 1) continue;
-    run.label = fmt::format("{} ({})", run.title(), run.folder.lexically_normal().string());
-  }
+  const auto are_distinct = [&] {
+    std::set<std::string> labels;
+    for (const auto& run : runs) labels.insert(run.label);
+    return labels.size() == runs.size();
+  };
+  for (auto& run : runs) run.label = run.title();
+  if (are_distinct()) return;
+  for (auto& run : runs)
+    run.label = std::filesystem::absolute(run.folder).lexically_normal().filename().string();
+  if (are_distinct()) return;
+  for (auto& run : runs) run.label = run.folder.string();
 }
 
 std::string links(const std::string& body) {

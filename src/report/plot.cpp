@@ -36,6 +36,8 @@ std::string_view name(Draw draw) {
       return "line";
     case Draw::dashed:
       return "dashed";
+    case Draw::dotted:
+      return "dotted";
     case Draw::points:
       return "points";
     case Draw::line_with_points:

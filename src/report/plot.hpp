@@ -22,7 +22,7 @@ inline constexpr double per_mPa_s = 1e3;
 /// A color of the palette that stands back.
 inline constexpr int gray = -1;
 
-enum class Draw { line, dashed, points, line_with_points, dashed_with_points };
+enum class Draw { line, dashed, dotted, points, line_with_points, dashed_with_points };
 
 struct Curve {
   std::string label;

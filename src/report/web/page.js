@@ -58,13 +58,16 @@
     return best >= 0 && best < x.length && pixel(best) <= reach ? best : null;
   }
 
+  const dashes = { dashed: [7, 4], dotted: [2, 4] };
+
   function series_of(curve) {
     const stroke = color(curve);
-    const has_line = !curve.draw.startsWith("points");
+    const kind = curve.draw.split(" ")[0];
+    const has_line = kind !== "points";
     const has_points = curve.draw.includes("points");
     return {
       label: curve.label, stroke, spanGaps: true, width: has_line ? 2 : 0,
-      dash: curve.draw.startsWith("dashed") ? [6, 4] : undefined,
+      dash: dashes[kind], class: kind,
       paths: has_line ? undefined : () => null,
       points: has_line ? { show: has_points, size: 6, fill: stroke }
                        : { show: true, size: 9, width: 2, stroke, fill: style("--card") },
@@ -76,23 +79,37 @@
     return {
       label: axis.label, labelSize: 24, labelFont: "13px system-ui, sans-serif", font: "12px system-ui, sans-serif",
       stroke: style("--soft"), grid: { stroke: style("--line"), width: 1 }, ticks: { stroke: style("--line"), width: 1 },
-      incrs: axis.whole ? [1, 2, 5, 10, 20, 50, 100] : undefined,
+      values: (u, splits) => splits.map(text), incrs: axis.whole ? [1, 2, 5, 10, 20, 50, 100] : undefined,
     };
   }
-  const left_axis = (axis) => Object.assign(axis_of(axis), {
-    size: (u, values) => 16 + 7 * Math.max(3, ...(values || []).map((value) => String(value).length)),
-    values: axis.log ? (u, splits) => splits.map((v) => v !== null && Number.isInteger(Math.round(1e6 * Math.log10(v)) / 1e6) ? v.toExponential(0) : null)
-                     : (u, splits) => splits.map((v) => text(v)),
-  });
+  const bottom_axis = (axis) => Object.assign(axis_of(axis), { size: 36 });
+
+  const superscript = (number) => String(number).replace(/[-0-9]/g, (c) => "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"["-0123456789".indexOf(c)]);
+  const power = (value) => value > 0 ? Math.round(1e6 * Math.log10(value)) / 1e6 : NaN;
+  const powers = (u, splits) => splits.map((v) => Number.isInteger(power(v)) ? v : null);
+  const power_text = (u, splits) => splits.map((v) => Number.isInteger(power(v)) ? `10${superscript(power(v))}` : null);
+
+  function left_axis(axis) {
+    const made = axis_of(axis);
+    // Room for the longest number: it must not run into the label.
+    made.size = (u, values) => 24 + 7 * Math.max(2, ...(values || []).map((value) => String(value ?? "").length));
+    if (axis.log) {
+      made.values = power_text;
+      made.grid.filter = powers;
+      made.ticks.filter = powers;
+    }
+    return made;
+  }
 
   function draw(place, plot) {
     place.textContent = "";
     const options = {
       width: Math.max(place.clientWidth, 240), height,
       scales: { x: { time: false }, y: plot.y.log ? { distr: 3 } : {} },
-      axes: [axis_of(plot.x), left_axis(plot.y)],
+      axes: [bottom_axis(plot.x), left_axis(plot.y)],
       series: [{ label: plot.x.label, value: (u, value) => text(value) }, ...plot.curves.map(series_of)],
-      cursor: { focus: { prox: 30 }, dataIdx: nearest, points: { size: 8 } },
+      cursor: { focus: { prox: 30 }, dataIdx: nearest, points: { size: 8 }, drag: { x: true, y: true, uni: 40 } },
+      legend: { markers: { width: 2, fill: "transparent", dash: (u, k) => k > 0 ? { dashed: "dashed", dotted: "dotted" }[plot.curves[k - 1].draw.split(" ")[0]] || "solid" : "solid" } },
       focus: { alpha: 0.3 },
     };
     return new uPlot(options, aligned(plot), place);
