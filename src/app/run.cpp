@@ -80,8 +80,8 @@ void tell_files(const setup::Case& c, const std::filesystem::path& folder) {
     if (std::filesystem::exists(folder / name)) files += fmt::format(", {}", name);
   }
   if (c.protocol.empty()) fmt::print("The protocol has no steps: the start was written.\n");
-  fmt::print("Written in {}: {}, checkpoints, summary.json, case.toml, run.log, report.html\n",
-             folder.string(), files);
+  fmt::print("Written in {}: {}, checkpoints, summary.json, case.toml, run.log, {}report.html\n",
+             folder.string(), files, c.output.measured ? "measured.csv, " : "");
 }
 
 /// The measured points go with the results: the report of the run can be made again anywhere.

@@ -2,7 +2,6 @@
 #include "report/html.hpp"
 
 namespace packbed::report {
-namespace {
 
 using Json = nlohmann::ordered_json;
 
@@ -10,8 +9,6 @@ std::string valid_utf8(std::string_view text) {
   const auto dumped = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
   return Json::parse(dumped).get<std::string>();
 }
-
-}  // namespace
 
 std::string escaped(std::string_view text) {
   std::string html;

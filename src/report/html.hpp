@@ -11,7 +11,10 @@
 
 namespace packbed::report {
 
-/// `text` for the content of an element or a quoted attribute. Bytes that are not UTF-8 become U+FFFD.
+/// `text` with U+FFFD in place of bytes that are not UTF-8: names of files may have them.
+std::string valid_utf8(std::string_view text);
+
+/// `text` for the content of an element or a quoted attribute, valid UTF-8.
 std::string escaped(std::string_view text);
 
 /// JSON for a script element: no "<" in it, so that nothing in a text ends the element.

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "report/html.hpp"
 #include "report/run_data.hpp"
 #include "setup/parse_toml.hpp"
 
@@ -107,7 +108,7 @@ RunData read_files(const fs::path& folder, const UnitSystem& units) {
   RunData run;
   run.folder = folder;
   run.summary = read_summary(folder / "summary.json");
-  run.case_text = read_text_file(folder / "case.toml");
+  run.case_text = valid_utf8(read_text_file(folder / "case.toml"));
   run.values = case_values(run.case_text, folder / "case.toml");
   run.label = run.title();
   add_stages(run.values.value("protocol", Json::array()), run.stages);
