@@ -16,6 +16,7 @@ struct Against {
   double Plateau::*simulated;
   std::vector<double> setup::MeasuredFlow::*measured;
   double factor;  ///< from SI to the unit of the axis
+  bool logarithmic = false;
 };
 
 const Against against_velocity[] = {
@@ -26,7 +27,9 @@ const Against against_velocity[] = {
     {"Compression", "compression [%]", &Plateau::compression, &setup::MeasuredFlow::compression,
      100.0},
     {"Bed height", "bed height [mm]", &Plateau::bed_height, &setup::MeasuredFlow::bed_height,
-     per_mm}};
+     per_mm},
+    {"Noise of the pressure drop", "standard deviation / mean [-]", &Plateau::pressure_noise,
+     nullptr, 1.0, true}};
 
 void add_simulated(Plot& plot, const Against& a, std::span<const RunData> runs, std::size_t r) {
   const auto& plateaus = runs[r].plateaus;
@@ -63,7 +66,7 @@ void add_kozeny_carman(Plot& plot, double slope, std::span<const RunData> runs, 
 
 void add_measured(Plot& plot, const Against& a, std::span<const RunData> runs, std::size_t r) {
   const auto& measured = runs[r].measured;
-  if (!measured) return;
+  if (!measured || a.measured == nullptr) return;
   const bool is_there_already =
       std::ranges::any_of(runs.first(r), [&](const RunData& b) { return b.measured == measured; });
   if (is_there_already) return;
@@ -119,7 +122,10 @@ PlotGroup flow_plots(std::span<const RunData> runs) {
                       "that of the settled bed, not compressed, with its measured porosity and "
                       "the Sauter mean diameter of the beads."};
   for (const auto& a : against_velocity) {
-    Plot plot{.title = a.title, .x = {"superficial velocity [cm/h]"}, .y = {a.axis}, .curves = {}};
+    Plot plot{.title = a.title,
+              .x = {"superficial velocity [cm/h]"},
+              .y = {.label = a.axis, .logarithmic = a.logarithmic},
+              .curves = {}};
     for (std::size_t r = 0; r < runs.size(); ++r) {
       add_simulated(plot, a, runs, r);
       if (const auto slope = kozeny_carman_slope(a, runs[r]); slope && !runs[r].plateaus.empty()) {

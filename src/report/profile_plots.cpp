@@ -54,11 +54,10 @@ struct Quantity {
 
 const Quantity along_the_bed[] = {
     {"Porosity along the bed, plateaus", "porosity [-]", "porosity", 1.0},
-    {"Pressure along the bed, plateaus", "pressure [bar]", "pressure_Pa", per_bar},
-    {"Velocity along the bed, plateaus", "superficial velocity [cm/h]", "superficial_velocity_m_s",
-     per_cm_h}};
+    {"Pressure along the bed, plateaus", "pressure [bar]", "pressure_Pa", per_bar}};
 const Quantity across_the_bed[] = {
-    {"Velocity across the bed, plateaus", "velocity [cm/h]", "velocity_m_s", per_cm_h},
+    {"Velocity across the bed, plateaus", "superficial velocity [cm/h]", "superficial_velocity_m_s",
+     per_cm_h},
     {"Porosity across the bed, plateaus", "porosity [-]", "porosity", 1.0}};
 
 Plot at_plateaus(const RunData& run,

@@ -99,6 +99,7 @@ std::vector<Plateau> read_plateaus(const fs::path& file) {
                         .pressure_gradient = table["pressure_drop_per_height_Pa_m"][i],
                         .bed_height = table["bed_height_m"][i],
                         .compression = table["compression"][i],
+                        .pressure_noise = table["pressure_noise"][i],
                         .steady = table["steady"][i] != 0.0});
   }
   return plateaus;

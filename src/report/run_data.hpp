@@ -31,6 +31,7 @@ struct Plateau {
   double pressure_gradient = unknown;  ///< per present bed height [Pa/m]
   double bed_height = unknown;         ///< [m]
   double compression = unknown;
+  double pressure_noise = unknown;  ///< standard deviation over mean of the pressure drop
   bool steady = true;
 };
 

@@ -57,9 +57,9 @@ TEST_F(ReadRun, TakesEachRowForItselfWhereRowsAreFewerThanPlateaus) {
 TEST_F(ReadRun, PrefersTheFileOfPlateausAndWarnsOfThoseThatAreNotSteady) {
   run_.write("plateaus.csv",
              "plateau,stage,start_time_s,end_time_s,superficial_velocity_m_s,pressure_drop_Pa,"
-             "pressure_drop_per_height_Pa_m,bed_height_m,compression,steady\n"
-             "1,2,1,2,0.001,100,12500,0.008,0.01,1\n"
-             "2,2,2,3,0.002,200,25000,0.008,0.02,0\n");
+             "pressure_drop_per_height_Pa_m,bed_height_m,compression,pressure_noise,steady\n"
+             "1,2,1,2,0.001,100,12500,0.008,0.01,,1\n"
+             "2,2,2,3,0.002,200,25000,0.008,0.02,1e-4,0\n");
 
   const auto run = read();
 

@@ -87,7 +87,11 @@
   const superscript = (number) => String(number).replace(/[-0-9]/g, (c) => "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"["-0123456789".indexOf(c)]);
   const power = (value) => value > 0 ? Math.round(1e6 * Math.log10(value)) / 1e6 : NaN;
   const powers = (u, splits) => splits.map((v) => Number.isInteger(power(v)) ? v : null);
-  const power_text = (u, splits) => splits.map((v) => Number.isInteger(power(v)) ? `10${superscript(power(v))}` : null);
+  // Of many decades every second or third has its number.
+  function power_text(u, splits) {
+    const each = Math.ceil(splits.filter((v) => Number.isInteger(power(v))).length / 8);
+    return splits.map((v) => power(v) % each === 0 ? `10${superscript(power(v))}` : null);
+  }
 
   function left_axis(axis) {
     const made = axis_of(axis);
