@@ -226,10 +226,11 @@ std::string page(std::vector<RunData> runs, const UnitSystem& units) {
       "<noscript><p>Plots are drawn by a script, which this browser does not run.</p></noscript>\n"
       "{}</main>\n<footer>Drag in a plot to look closer, double click to go back; click a name in "
       "a legend to hide its curve.</footer>\n"
-      "<script type=\"application/json\" id=\"data\">{}</script>\n<script>\n{}\n{}</script>\n"
+      "<script type=\"application/json\" id=\"data\">{}</script>\n<script>\n/* "
+      "uPlot:\n{}*/\n{}\n{}</script>\n"
       "</body>\n</html>\n",
       policy, title, uplot_style, page_style, title, subtitle(runs), links(body), body,
-      script_json(data), uplot_script, page_script);
+      script_json(data), uplot_license, uplot_script, page_script);
 }
 
 }  // namespace packbed::report

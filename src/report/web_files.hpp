@@ -7,6 +7,7 @@
 namespace packbed::report {
 
 extern const char* const uplot_script;
+extern const char* const uplot_license;
 extern const char* const uplot_style;
 extern const char* const page_script;
 extern const char* const page_style;
