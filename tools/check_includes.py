@@ -20,7 +20,7 @@ ALLOWED = {
     "io": "core mesh dem",
     "setup": "core resin mesh dem fluid coupling continuum column analysis io",
     "study": "core resin continuum setup column analysis io",
-    "report": "core continuum analysis io",
+    "report": "core continuum setup",
     "app": "core resin mesh dem fluid coupling continuum column analysis io setup study report",
 }
 

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace packbed::app {
 
@@ -26,6 +27,13 @@ struct RunCommand {
   bool json = false;
 };
 int run(const RunCommand& command);
+
+struct ReportCommand {
+  std::vector<std::filesystem::path> runs;  ///< folders; several are compared
+  std::filesystem::path output;    ///< empty: report.html in the folder, or comparison.html
+  std::filesystem::path measured;  ///< table to show in place of the runs' own; empty: none
+};
+int report(const ReportCommand& command);
 
 struct ResinsCommand {
   std::string name;     ///< empty: list all

@@ -47,6 +47,18 @@ void add_check(CLI::App& app, CheckCommand& options, Action& action) {
   command->callback([&] { action = [&] { return check(options); }; });
 }
 
+void add_report(CLI::App& app, ReportCommand& options, Action& action) {
+  auto* command = app.add_subcommand(
+      "report", "Write the page of a run again, or compare several runs on one page");
+  command->add_option("RUN", options.runs, "Folders of runs that have ended")->required();
+  command->add_option("-o,--output", options.output,
+                      "File to write; by default report.html in the folder of the run, or "
+                      "comparison.html of several");
+  command->add_option("--measured", options.measured,
+                      "CSV file of measured points to show, in place of those of the case");
+  command->callback([&] { action = [&] { return report(options); }; });
+}
+
 void add_resins(CLI::App& app, ResinsCommand& options, Action& action) {
   auto* command =
       app.add_subcommand("resins", "List the resin library, or show one resin with its sources");
@@ -64,7 +76,7 @@ void add_units(CLI::App& app, UnitsCommand& options, Action& action) {
 
 // On several ranks one that fails ends them all. Mostly all fail alike; the first one speaks, and
 // the others only if it has nothing to say.
-int report(const std::string& message, ExitCode code) {
+int complain(const std::string& message, ExitCode code) {
   const auto ranks = Ranks::all();
   if (!ranks.is_first()) std::this_thread::sleep_for(std::chrono::seconds(1));
   fmt::print(stderr, "packbed: {}{}\n",
@@ -96,6 +108,7 @@ int dispatch(int argc, char** argv) {
   app.footer("Manual: docs/manual. First case: packbed run cases/quickstart.toml");
   RunCommand run_options;
   CheckCommand check_options;
+  ReportCommand report_options;
   ResinsCommand resins_options;
   UnitsCommand units_options;
   BeadCommands bead_options;
@@ -104,6 +117,7 @@ int dispatch(int argc, char** argv) {
   Action action;
   add_run(app, run_options, action);
   add_check(app, check_options, action);
+  add_report(app, report_options, action);
   add_resins(app, resins_options, action);
   add_units(app, units_options, action);
   add_bead(app, bead_options, action);
@@ -127,15 +141,15 @@ int dispatch(int argc, char** argv) {
   } catch (const CLI::Success& asked) {  // --help
     return app.exit(asked);
   } catch (const CLI::ParseError& error) {
-    return report(fmt::format("{}; `packbed --help` lists commands and options", error.what()),
-                  ExitCode::input);
+    return complain(fmt::format("{}; `packbed --help` lists commands and options", error.what()),
+                    ExitCode::input);
   } catch (const Stopped& stopped) {  // on all ranks at the same step
     if (Ranks::all().is_first()) fmt::print(stderr, "packbed: {}\n", stopped.what());
     return static_cast<int>(stopped.exit_code());
   } catch (const Error& error) {
-    return report(error.what(), error.exit_code());
+    return complain(error.what(), error.exit_code());
   } catch (const std::bad_alloc&) {
-    return report("out of memory; take fewer beads, or a computer with more", ExitCode::files);
+    return complain("out of memory; take fewer beads, or a computer with more", ExitCode::files);
   }
 }
 

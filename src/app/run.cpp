@@ -6,6 +6,7 @@
 
 #include "app/commands.hpp"
 #include "app/print.hpp"
+#include "app/report.hpp"
 #include "app/run_folder.hpp"
 #include "app/simulate.hpp"
 #include "app/stages.hpp"
@@ -80,8 +81,14 @@ void tell_files(const setup::Case& c, const std::filesystem::path& folder) {
     if (std::filesystem::exists(folder / name)) files += fmt::format(", {}", name);
   }
   if (c.protocol.empty()) fmt::print("The protocol has no steps: the start was written.\n");
-  fmt::print("Written in {}: {}, checkpoints, summary.json, case.toml, run.log\n", folder.string(),
-             files);
+  fmt::print("Written in {}: {}, checkpoints, summary.json, case.toml, run.log, {}report.html\n",
+             folder.string(), files, c.output.measured ? "measured.csv, " : "");
+}
+
+/// The measured points go with the results: the report of the run can be made again anywhere.
+void write_measured(const setup::Case& c, const std::filesystem::path& folder) {
+  if (!c.output.measured) return;
+  write_text_file(folder / "measured.csv", setup::to_csv(c.output.measured_points));
 }
 
 void tell_prepared(const setup::Case& c, const std::filesystem::path& folder, int ranks_asked) {
@@ -112,6 +119,7 @@ void prepare_folder(const RunCommand& command,
   }
   std::vector<std::filesystem::path> inputs = {command.file};
   if (c.beads.csv) inputs.push_back(*c.beads.csv);
+  if (c.output.measured) inputs.push_back(*c.output.measured);
   make_run_folder(folder, command.overwrite, inputs);
 }
 
@@ -157,8 +165,10 @@ int run(const RunCommand& command) {
   summary["steps_in_case"] = c.protocol.size();
   summary["figures"] = setup::figures_json(c, f);
   write_text_file(folder / "summary.json", json_text(summary));
+  write_measured(c, folder);
   if (command.json) {
     fmt::print("{}", json_text(summary));
+    write_report(folder, units);
     return 0;
   }
   fmt::print("{}: {:.0f} grains, {} protocol step{}\n", c.title, f.bead_count, c.protocol.size(),
@@ -169,6 +179,7 @@ int run(const RunCommand& command) {
   } else {
     tell_prepared(c, folder, command.ranks);
   }
+  fmt::print("Report: {}\n", write_report(folder, units).string());
   return 0;
 }
 

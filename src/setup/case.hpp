@@ -17,6 +17,7 @@
 #include "mesh/column_shape.hpp"
 #include "resin/size_distribution.hpp"
 #include "setup/echo.hpp"
+#include "setup/read_measured.hpp"
 
 namespace packbed::setup {
 
@@ -186,6 +187,8 @@ struct OutputOptions {
   bool frames = true;                         ///< write frames/beads_N.hdf and contacts_N.hdf
   std::optional<double> frame_interval;       ///< simulated [s]; none: at the ends of stages
   std::optional<double> checkpoint_interval;  ///< wall time [s]; none: only when a run is stopped
+  std::optional<std::filesystem::path> measured;  ///< table of points shown in the report
+  MeasuredFlow measured_points;                   ///< of `measured`
   bool operator==(const OutputOptions&) const = default;
 };
 

@@ -55,6 +55,8 @@ std::vector<double> DataColumns::values(std::string_view name, Dimension dimensi
     throw ConfigError(fmt::format("{}: column \"{}\" has no unit; the header must be like \"{}\"",
                                   table_.header_place(), name, header_));
   }
+  const bool is_plain = dimension == Dimension::fraction && (in_si || found.unit == "-");
+  if (is_plain) return converted(found, name, "", dimension);
   return converted(found, name, in_si ? wanted.si_unit : std::string_view(found.unit), dimension);
 }
 

@@ -27,7 +27,7 @@ class DataColumns {
   [[nodiscard]] bool has_text(std::string_view name) const { return find(name).has_value(); }
 
   /// All rows in SI. Throws ConfigError "FILE:LINE: ..." for a missing column, a missing or wrong unit, a cell
-  /// that is no number. A fraction needs no unit; % is accepted.
+  /// that is no number. A fraction needs no unit; [-] and [%] are accepted.
   [[nodiscard]] std::vector<double> values(std::string_view name, Dimension dimension) const;
   /// All rows of a pressure per length in Pa/m: "name [bar/m]" or "name_Pa_m".
   [[nodiscard]] std::vector<double> pressure_gradients(std::string_view name) const;

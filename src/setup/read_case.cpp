@@ -35,7 +35,7 @@ Case read_tables(const toml::table& table, Reading& reading) {
   c.protocol = read_protocol(top.tables("protocol"), c.column, c.beads, c.liquid.has_value());
   if (top.has("liquid")) c.coupling = read_coupling(top.table("coupling"), c);
   c.numerics = read_numerics(top.table("numerics"), c.protocol);
-  c.output = read_output(top.table("output"), reading.file);
+  c.output = read_output(top.table("output"), reading.file, reading.units);
   return c;
 }
 

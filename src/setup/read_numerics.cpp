@@ -21,7 +21,9 @@ NumericsOptions read_numerics(Section section, const std::vector<ProtocolStep>& 
   return numerics;
 }
 
-OutputOptions read_output(Section section, const std::filesystem::path& case_file) {
+OutputOptions read_output(Section section,
+                          const std::filesystem::path& case_file,
+                          const UnitSystem& units) {
   OutputOptions output{};
   // Many cases are called case.toml and told apart by their folder.
   const auto stem = case_file.stem();
@@ -41,6 +43,10 @@ OutputOptions read_output(Section section, const std::filesystem::path& case_fil
   }
   output.checkpoint_interval = section.quantity_or_word(
       "checkpoint_interval", Dimension::time, bounds::positive, "none", Fallback{"10 min"});
+  if (const auto file = section.optional_file("measured")) {
+    output.measured = std::filesystem::absolute(*file);
+    output.measured_points = read_measured(*file, units);
+  }
   section.finish();
   return output;
 }

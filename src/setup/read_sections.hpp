@@ -35,6 +35,8 @@ std::vector<ProtocolStep> read_protocol(std::vector<Section> sections,
 /// Whether a step makes beads sink.
 bool needs_gravity(const std::vector<ProtocolStep>& protocol);
 NumericsOptions read_numerics(Section section, const std::vector<ProtocolStep>& protocol);
-OutputOptions read_output(Section section, const std::filesystem::path& case_file);
+OutputOptions read_output(Section section,
+                          const std::filesystem::path& case_file,
+                          const UnitSystem& units);
 
 }  // namespace packbed::setup

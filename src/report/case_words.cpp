@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/case_words.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "report/plot.hpp"
+
+namespace packbed::report {
+namespace {
+
+/// A value of the case file as text; empty if it is not there.
+std::string text(const Json& values, const char* pointer) {
+  const Json::json_pointer at(pointer);
+  if (!values.contains(at)) return {};
+  const auto& value = values.at(at);
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_float()) return fmt::format("{:g}", value.get<double>());
+  return value.dump();
+}
+
+std::string in_si(const std::string& words,
+                  Dimension dimension,
+                  const UnitSystem& units,
+                  std::string (*write)(double)) {
+  try {
+    return write(units.to_si(words, dimension));
+  } catch (const ValueError&) {
+    return words;  // a word such as "auto", or a flow rate where a velocity is looked for
+  }
+}
+
+std::string length(const std::string& words, const UnitSystem& units) {
+  return in_si(words, Dimension::length, units, [](double meters) {
+    return meters < 0.5e-3 ? fmt::format("{:.4g} um", per_um * meters)
+                           : fmt::format("{:.4g} mm", per_mm * meters);
+  });
+}
+
+std::string flow(const std::string& words, const UnitSystem& units) {
+  return in_si(words, Dimension::velocity, units,
+               [](double velocity) { return fmt::format("{:.4g} cm/h", per_cm_h * velocity); });
+}
+
+/// "; name value" for each pair whose value is there.
+std::string listed(std::initializer_list<std::pair<const char*, std::string>> pairs) {
+  std::string all;
+  for (const auto& [name, value] : pairs) {
+    if (!value.empty()) all += fmt::format("{}{} {}", all.empty() ? "" : "; ", name, value);
+  }
+  return all;
+}
+
+std::string column_line(const Json& v, const UnitSystem& units) {
+  const auto shape = text(v, "/column/shape");
+  const auto of = [&](const char* pointer) { return length(text(v, pointer), units); };
+  if (shape == "slice") {
+    return fmt::format("slice of a round column, inner diameter {}, depth {} (periodic), height {}",
+                       of("/column/inner_diameter"), of("/column/slice_depth"),
+                       of("/column/height"));
+  }
+  if (shape == "cylinder") {
+    return fmt::format("cylinder, inner diameter {}, height {}", of("/column/inner_diameter"),
+                       of("/column/height"));
+  }
+  return fmt::format("box, {} x {} x {}; sides: x {}, y {}, z {}", of("/column/size/0"),
+                     of("/column/size/1"), of("/column/size/2"), text(v, "/column/boundaries/x"),
+                     text(v, "/column/boundaries/y"), text(v, "/column/boundaries/z"));
+}
+
+std::string resin_line(const Json& v) {
+  const auto name = text(v, "/resin/name");
+  const auto values = listed({{"Young's modulus", text(v, "/resin/youngs_modulus")},
+                              {"Poisson's ratio", text(v, "/resin/poisson_ratio")},
+                              {"density", text(v, "/resin/density")},
+                              {"friction", text(v, "/resin/friction")},
+                              {"friction on walls", text(v, "/resin/wall_friction")},
+                              {"rolling friction", text(v, "/resin/rolling_friction")},
+                              {"restitution", text(v, "/resin/restitution")},
+                              {"contact law", text(v, "/resin/contact")}});
+  return name.empty() ? values : fmt::format("{}: {}", name, values);
+}
+
+std::string um(const RunData& run, const char* key) {
+  const auto value = run.number(fmt::format("/figures/sizes/{}", key));
+  return value ? fmt::format("{:.1f} um", per_um * *value) : "?";
+}
+
+std::string bead_line(const RunData& run) {
+  auto line =
+      fmt::format("{} to {}, Sauter mean {}, d50 of the volume {}", um(run, "smallest_m"),
+                  um(run, "largest_m"), um(run, "sauter_diameter_m"), um(run, "d50_volume_m"));
+  const auto grain = run.values.value("/resin/coarse_grain"_json_pointer, 1.0);
+  if (grain > 1.0) {
+    line += fmt::format("; coarse grain {:g}: one simulated grain stands for {:.4g} beads", grain,
+                        grain * grain * grain);
+  }
+  return line;
+}
+
+std::string liquid_line(const RunData& run, const UnitSystem& units) {
+  if (!run.values.contains("liquid")) return "none: the column is dry";
+  auto line = text(run.values, "/liquid/name");
+  if (const auto t = text(run.values, "/liquid/temperature"); !t.empty()) {
+    line += " at " + in_si(t, Dimension::temperature, units,
+                           [](double kelvin) { return fmt::format("{:.4g} °C", kelvin - 273.15); });
+  }
+  const auto density = run.number("/figures/liquid/density_kg_m3");
+  const auto viscosity = run.number("/figures/liquid/viscosity_Pa_s");
+  if (!density || !viscosity) return line;
+  return fmt::format("{}{}{:.5g} kg/m3, {:.4g} mPa s", line, line.empty() ? "" : ": ", *density,
+                     per_mPa_s * *viscosity);
+}
+
+std::string numerics_line(const RunData& run) {
+  auto line = listed({{"seed", text(run.values, "/numerics/seed")},
+                      {"time step", text(run.values, "/numerics/step")},
+                      {"inertia scale", text(run.values, "/numerics/inertia_scale")}});
+  const auto step = run.number("/bead_step_s");
+  const auto scale = run.number("/inertia_scale");
+  if (step && scale) {
+    line += fmt::format("; at the end of the run: time step {:.4g} us, inertia scale {:.4g}",
+                        per_um * *step, *scale);
+  }
+  return line;
+}
+
+// --- steps of the protocol
+
+std::string settle_text(const Json& step, const UnitSystem& units) {
+  std::string words = "Settle";
+  if (step.contains("bed_height")) {
+    words += fmt::format(" to a bed of {}", length(text(step, "/bed_height"), units));
+  }
+  if (step.contains("porosity")) words += ", porosity " + text(step, "/porosity");
+  if (step.contains("friction")) words += ", friction while settling " + text(step, "/friction");
+  return words;
+}
+
+std::string ramp_text(const Json& step, const UnitSystem& units) {
+  const auto steps = step.value("steps", 1);
+  auto words = fmt::format("Flow from {} to {} in {} step{}, ", flow(text(step, "/from"), units),
+                           flow(text(step, "/to"), units), steps, steps == 1 ? "" : "s");
+  const auto hold = text(step, "/hold");
+  words += hold == "until steady"
+               ? fmt::format("each held until steady, {} at most", text(step, "/hold_limit"))
+               : fmt::format("each held {}", hold);
+  return words + (text(step, "/change") == "jump" ? ", changed at once" : "");
+}
+
+std::string compress_text(const Json& step, const UnitSystem& units) {
+  auto words = fmt::format("Plunger down at {}", text(step, "/speed"));
+  for (const auto* target : {"height", "compression", "compression_factor", "force"}) {
+    if (!step.contains(target)) continue;
+    auto value = text(step, fmt::format("/{}", target).c_str());
+    if (std::string_view(target) == "height") value = length(value, units);
+    words += fmt::format(" to a {} of {}", target, value);
+  }
+  return words;
+}
+
+std::string step_text(const Json& step, const UnitSystem& units) {
+  const auto kind = text(step, "/step");
+  if (kind == "settle") return settle_text(step, units);
+  if (kind == "flow_ramp") return ramp_text(step, units);
+  if (kind == "compress") return compress_text(step, units);
+  if (kind == "run") return fmt::format("Run for {}", text(step, "/duration"));
+  if (kind == "hold") {
+    return fmt::format("Hold for {}{}", text(step, "/duration"),
+                       step.contains("flow") ? " at " + flow(text(step, "/flow"), units) : "");
+  }
+  if (kind == "tap") {
+    const auto count = text(step, "/count");
+    return fmt::format("Tap {} time{}: {} at {}", count, count == "1" ? "" : "s",
+                       length(text(step, "/amplitude"), units), text(step, "/frequency"));
+  }
+  if (kind == "repeat") return fmt::format("Repeat {} times:", text(step, "/count"));
+  std::string words = kind;  // a step younger than this page
+  for (const auto& [key, value] : step.items()) {
+    if (key != "step") words += fmt::format(", {} {}", key, value.dump());
+  }
+  return words;
+}
+
+/// "/protocol/1/to" as check and resume call it: "protocol[2].to".
+std::string key_of(std::string_view pointer) {
+  std::string key;
+  while (!pointer.empty()) {
+    pointer.remove_prefix(1);
+    const auto part = pointer.substr(0, pointer.find('/'));
+    pointer.remove_prefix(part.size());
+    if (const auto place = to_number(part)) {
+      key += fmt::format("[{:.0f}]", *place + 1.0);
+    } else {
+      key += fmt::format("{}{}", key.empty() ? "" : ".", part);
+    }
+  }
+  return key;
+}
+
+std::vector<Sentence> sentences(const Json& steps, const UnitSystem& units) {
+  std::vector<Sentence> all;
+  for (const auto& step : steps) {
+    all.push_back({.text = step_text(step, units)});
+    if (step.value("step", "") == "repeat") all.back().parts = sentences(step.at("steps"), units);
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<CaseLine> case_lines(const RunData& run, const UnitSystem& units) {
+  std::vector<CaseLine> lines = {{"Column", column_line(run.values, units)},
+                                 {"Resin", resin_line(run.values)},
+                                 {"Beads", bead_line(run)},
+                                 {"Liquid", liquid_line(run, units)},
+                                 {"Numerics", numerics_line(run)}};
+  if (const auto file = text(run.values, "/beads/csv"); !file.empty()) {
+    lines.insert(lines.begin() + 3, {"Bead file", file});
+  }
+  return lines;
+}
+
+std::vector<Sentence> protocol_sentences(const RunData& run, const UnitSystem& units) {
+  return sentences(run.values.value("protocol", Json::array()), units);
+}
+
+std::vector<Difference> differences(const std::vector<RunData>& runs) {
+  std::vector<Difference> all;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const auto flat = runs[r].values.flatten();
+    for (const auto& [pointer, value] : flat.items()) {
+      if (pointer == "/title" || pointer.starts_with("/output/")) continue;
+      const auto found = std::ranges::find(all, pointer, &Difference::key);
+      auto& row =
+          found != all.end()
+              ? *found
+              : all.emplace_back(Difference{pointer, std::vector<std::string>(runs.size())});
+      row.values[r] = text(runs[r].values, pointer.c_str());
+    }
+  }
+  std::erase_if(all, [](const Difference& row) {
+    return std::ranges::all_of(row.values, [&](const auto& v) { return v == row.values.front(); });
+  });
+  for (auto& row : all) row.key = key_of(row.key);
+  return all;
+}
+
+}  // namespace packbed::report

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// @file
+/// The plots of one run, or of several runs laid over each other. A group without plots has nothing to show.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "report/plot.hpp"
+#include "report/run_data.hpp"
+
+namespace packbed::report {
+
+/// Pressure drop, compression and height of the bed against velocity, with the Kozeny-Carman line and what
+/// was measured.
+PlotGroup flow_plots(std::span<const RunData> runs);
+/// Flow and bed against time.
+PlotGroup time_plots(std::span<const RunData> runs);
+/// Compression of the material sections.
+PlotGroup section_plots(std::span<const RunData> runs);
+/// Porosity, and where there are plateaus velocity and pressure, over slices of the bed.
+PlotGroup profile_plots(std::span<const RunData> runs);
+/// Whether the figures can be trusted: budget of forces, rest, overlaps.
+PlotGroup check_plots(std::span<const RunData> runs);
+
+/// Kozeny-Carman's pressure drop per height at unit velocity, of the settled bed [Pa s/m2]; none where the
+/// run has no settled bed or no liquid. With the Sauter diameter of the beads, not of coarse grains.
+std::optional<double> kozeny_carman_resistance(const RunData& run);
+
+/// Plateaus between two turns of the flow, in the order of their velocities. Neighbors share the plateau at
+/// which the flow turns.
+struct Branch {
+  std::string name;  ///< "up", "down", "up 2"
+  bool rises = true;
+  std::vector<std::size_t> plateaus;  ///< their places in RunData::plateaus
+};
+std::vector<Branch> branches(std::span<const Plateau> plateaus);
+
+/// What a curve is called: `what`, with the run in front where there are several.
+std::string curve_label(std::span<const RunData> runs, std::size_t run, const std::string& what);
+
+/// Whether the flow of a plateau is lower than that of the one before.
+bool falls(const RunData& run, std::size_t plateau);
+/// "553 cm/h down".
+std::string plateau_label(const RunData& run, std::size_t plateau);
+/// The velocity over the highest one, for a scale of colors.
+double plateau_shade(const RunData& run, std::size_t plateau);
+/// Place of the plateau with the highest flow.
+std::size_t highest_flow(std::span<const Plateau> plateaus);
+
+/// At most `limit` of `count` places, evenly spread, the last one among them.
+std::vector<std::size_t> spread(std::size_t count, std::size_t limit);
+
+}  // namespace packbed::report
