@@ -112,7 +112,7 @@ std::string liquid_line(const RunData& run, const UnitSystem& units) {
   const auto viscosity = run.number("/figures/liquid/viscosity_Pa_s");
   if (!density || !viscosity) return line;
   return fmt::format("{}{}{:.5g} kg/m3, {:.4g} mPa s", line, line.empty() ? "" : ": ", *density,
-                     per_mPa_s * *viscosity);
+                     per_milli_pa_s * *viscosity);
 }
 
 std::string coupling_line(const Json& v) {

@@ -11,11 +11,11 @@ namespace {
 
 /// One of the plots against velocity: what of a plateau, what of a measured table.
 struct Against {
-  const char* title;
-  const char* axis;
-  double Plateau::*simulated;
-  std::vector<double> setup::MeasuredFlow::*measured;
-  double factor;  ///< from SI to the unit of the axis
+  const char* title = "";
+  const char* axis = "";
+  double Plateau::*simulated = nullptr;
+  std::vector<double> setup::MeasuredFlow::*measured = nullptr;
+  double factor = 1.0;  ///< from SI to the unit of the axis
   bool logarithmic = false;
 };
 

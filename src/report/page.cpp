@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/page.hpp"
 
-#include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
@@ -10,6 +9,7 @@
 #include "report/html.hpp"
 #include "report/key_figures.hpp"
 #include "report/plots.hpp"
+#include "report/tables.hpp"
 #include "report/web_files.hpp"
 
 namespace packbed::report {
@@ -19,10 +19,6 @@ namespace {
 constexpr auto policy =
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; base-uri 'none'; "
     "form-action 'none'";
-
-std::string section(const std::string& id, const std::string& title, const std::string& body) {
-  return fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n{}</section>\n", id, title, body);
-}
 
 std::string warnings_box(const std::vector<RunData>& runs) {
   std::string items;
@@ -56,54 +52,6 @@ std::string tiles(const RunData& run) {
   return section("figures", "Key figures", fmt::format("<dl class=\"tiles\">\n{}</dl>\n", html));
 }
 
-std::string head_cells(const std::vector<RunData>& runs) {
-  std::string cells;
-  for (const auto& run : runs) {
-    cells += fmt::format("<th scope=\"col\">{}</th>", escaped(run.label));
-  }
-  return cells;
-}
-
-std::string row(const std::string& name, const std::vector<std::string>& values) {
-  std::string cells;
-  for (const auto& v : values) {
-    cells += fmt::format("<td>{}</td>", v.empty() ? "&ndash;" : escaped(v));
-  }
-  return fmt::format("<tr><th scope=\"row\">{}</th>{}</tr>\n", escaped(name), cells);
-}
-
-std::string table(const std::string& head, const std::string& rows) {
-  return fmt::format(
-      "<div class=\"scroll\"><table>\n<thead><tr><td></td>{}</tr></thead>\n<tbody>\n{}</tbody>\n"
-      "</table></div>\n",
-      head, rows);
-}
-
-std::string figure_table(const std::vector<RunData>& runs) {
-  std::vector<std::vector<KeyFigure>> all;
-  for (const auto& run : runs) all.push_back(key_figures(run));
-  std::vector<std::string> titles;
-  for (const auto& run : runs) titles.push_back(run.title());
-  auto rows = row("Title", titles);
-  for (std::size_t k = 0; k < all.front().size(); ++k) {
-    std::vector<std::string> values;
-    for (const auto& figures : all) values.push_back(figures[k].value);
-    const bool is_anywhere =
-        std::ranges::any_of(values, [](const std::string& v) { return !v.empty(); });
-    if (is_anywhere) rows += row(all.front()[k].name, values);
-  }
-  return section("figures", "Key figures", table(head_cells(runs), rows));
-}
-
-std::string difference_table(const std::vector<RunData>& runs) {
-  std::string rows;
-  for (const auto& difference : differences(runs)) rows += row(difference.key, difference.values);
-  if (rows.empty()) {
-    return section("case", "What differs", "<p>The cases have the same values.</p>\n");
-  }
-  return section("case", "What differs", table(head_cells(runs), rows));
-}
-
 std::string steps_list(const std::vector<Sentence>& sentences) {
   std::string items;
   for (const auto& s : sentences) {
@@ -125,34 +73,6 @@ std::string case_section(const RunData& run, const UnitSystem& units) {
                  fmt::format("<dl class=\"case\">\n{}</dl>\n<details><summary>Every value "
                              "(case.toml)</summary><pre>{}</pre></details>\n",
                              lines, escaped(run.case_text)));
-}
-
-std::string times_section(const RunData& run) {
-  const auto times = stage_times(run);
-  if (times.empty()) return {};
-  double longest = 0.0;
-  for (const auto& t : times) longest = std::max(longest, t.all);
-  std::string rows;
-  for (const auto& t : times) {
-    std::string bar;
-    const double rest = std::max(0.0, t.all - t.beads - t.coupling - t.liquid - t.outputs);
-    const double parts[] = {t.beads, t.coupling, t.liquid, t.outputs, rest};
-    for (std::size_t k = 0; k < std::size(parts); ++k) {
-      bar += fmt::format("<i class=\"part{}\" style=\"width:{:.2f}%\"></i>", k,
-                         longest > 0.0 ? 100.0 * parts[k] / longest : 0.0);
-    }
-    rows += fmt::format(
-        "<tr><th scope=\"row\">{}</th><td>{:.3g}</td><td>{:.3g}</td><td>{:.3g}</td><td>{:.3g}</td>"
-        "<td>{:.3g}</td><td class=\"bar\">{}</td></tr>\n",
-        escaped(t.stage), t.beads, t.coupling, t.liquid, t.outputs, t.all, bar);
-  }
-  return section("times", "Where the time went",
-                 table("<th scope=\"col\"><i class=\"part0 key\"></i>beads [s]</th>"
-                       "<th scope=\"col\"><i class=\"part1 key\"></i>coupling [s]</th>"
-                       "<th scope=\"col\"><i class=\"part2 key\"></i>liquid [s]</th>"
-                       "<th scope=\"col\"><i class=\"part3 key\"></i>outputs [s]</th>"
-                       "<th scope=\"col\">all [s]</th><td></td>",
-                       rows));
 }
 
 /// Headings and places of the plots; their data goes to `data`, in the same order.
@@ -215,7 +135,7 @@ std::string page(std::vector<RunData> runs, const UnitSystem& units) {
   for (auto* plots : {flow_plots, time_plots, section_plots, profile_plots, check_plots}) {
     body += plot_section(plots(runs), data);
   }
-  if (is_one) body += times_section(runs[0]);
+  if (is_one) body += times_table(runs[0]);
   const auto title = is_one ? escaped(runs[0].title()) : "Comparison of runs";
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"

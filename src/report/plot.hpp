@@ -17,7 +17,7 @@ inline constexpr double per_mm = 1e3;
 inline constexpr double per_um = 1e6;
 inline constexpr double per_cm_h = 3.6e5;
 inline constexpr double per_bar = 1e-5;
-inline constexpr double per_mPa_s = 1e3;
+inline constexpr double per_milli_pa_s = 1e3;
 
 /// A color of the palette that stands back.
 inline constexpr int gray = -1;

@@ -41,6 +41,7 @@ struct Profile {
   Columns table;
 };
 
+// NOLINTNEXTLINE(bugprone-exception-escape): the JSON type may throw where it is moved, says the tool.
 struct RunData {
   std::filesystem::path folder;
   std::string label;  ///< how the run is called on the page

@@ -11,10 +11,10 @@ namespace {
 
 /// A column of series.csv against time.
 struct Against {
-  const char* title;
-  const char* axis;
-  const char* column;
-  double factor;  ///< from SI to the unit of the axis
+  const char* title = "";
+  const char* axis = "";
+  const char* column = "";
+  double factor = 1.0;  ///< from SI to the unit of the axis
   bool logarithmic = false;
 };
 

@@ -85,6 +85,7 @@ std::map<std::string, std::string> results(const fs::path& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const auto name = fs::relative(entry.path(), folder).string();
+    if (name == "report.html") continue;  // made of the other files; it tells the wall time
     if (!entry.is_regular_file() || name == "run.log" || name == "checkpoints/timings.json")
       continue;
     std::ifstream stream(entry.path(), std::ios::binary);
