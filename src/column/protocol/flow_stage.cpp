@@ -15,7 +15,7 @@ namespace {
 constexpr double look_every = 0.1;         // between looks at how steady a plateau is [s]
 constexpr double looks_per_plateau = 0.2;  // or this share of a short plateau
 constexpr double usual_ramp = 0.1;         // to a plateau that is held until steady [s]
-constexpr double ramp_share = 0.5;         // of a plateau that is held for a time
+constexpr double ramp_share = 0.25;        // of a plateau that is held for a time
 constexpr double cm_h = 0.01 / 3600.0;
 constexpr double rounding = 1e-9;
 
