@@ -38,18 +38,34 @@ io::ContactLine line_of(const dem::ContactReport& c) {
 }  // namespace
 
 FrameWriter::FrameWriter(const std::filesystem::path& folder)
-    : beads_(folder, "beads"), contacts_(folder, "contacts") {
+    : beads_(folder, "beads"), contacts_(folder, "contacts"), liquid_(folder, "liquid") {
   if (Ranks::all().is_first()) std::filesystem::create_directories(folder);
 }
 
-FrameWriter::FrameWriter(const std::filesystem::path& folder, std::size_t frames)
-    : beads_(folder, "beads"), contacts_(folder, "contacts") {
+FrameWriter::FrameWriter(const std::filesystem::path& folder, const nlohmann::ordered_json& saved)
+    : beads_(folder, "beads"), contacts_(folder, "contacts"), liquid_(folder, "liquid") {
   if (!Ranks::all().is_first()) return;
+  const std::size_t frames = saved.at("beads");
   beads_ = io::FrameSeries::resume(folder, "beads", frames);
   contacts_ = io::FrameSeries::resume(folder, "contacts", frames);
+  liquid_ = io::FrameSeries::resume(folder, "liquid",
+                                    {.frames = saved.at("liquid"), .next_number = frames});
 }
 
-void FrameWriter::write(const dem::Dem& dem) {
+nlohmann::ordered_json FrameWriter::save() const {
+  return {{"beads", beads_.size()}, {"liquid", liquid_.size()}};
+}
+
+void FrameWriter::write(const dem::Dem& dem, const column::CoupledBed* liquid) {
+  write_beads(dem);
+  if (liquid != nullptr) {
+    write_liquid(liquid->fluid(), dem.time());
+  } else {
+    liquid_.skip();
+  }
+}
+
+void FrameWriter::write_beads(const dem::Dem& dem) {
   const auto s = dem.snapshot();
   const auto contacts = dem.touching_contacts();
   if (!dem.ranks().is_first()) return;
@@ -75,6 +91,27 @@ void FrameWriter::write(const dem::Dem& dem) {
   io::write_contact_frame(contacts_.next(), {.time = s.time, .contacts = lines});
   beads_.add(s.time);
   contacts_.add(s.time);
+}
+
+// Ranks own runs of cells in the order of the mesh, so what they give stands in that order.
+void FrameWriter::write_liquid(const fluid::Fluid& fluid, double time) {
+  const auto& d = fluid.domain();
+  const auto gather = [&](const auto& field) {
+    return d.ranks.gather(std::vector(field.begin(), field.begin() + d.part.own));
+  };
+  const auto eps = gather(fluid.eps());
+  const auto u = gather(fluid.u());
+  const auto p = gather(fluid.dynamic_pressure());
+  const auto gradient = gather(fluid.pressure_gradient());
+  if (!d.ranks.is_first()) return;
+  io::write_liquid_frame(liquid_.next(),
+                         {.time = time,
+                          .mesh = d.mesh,
+                          .cells = {{"void_fraction", std::span<const double>(eps)},
+                                    {"velocity_m_s", std::span<const Vec3>(u)},
+                                    {"pressure_Pa", std::span<const double>(p)},
+                                    {"pressure_gradient_Pa_m", std::span<const Vec3>(gradient)}}});
+  liquid_.add(time);
 }
 
 }  // namespace packbed::app

@@ -147,6 +147,7 @@ Outputs::Outputs(const setup::Case& c,
     return;
   }
   if (dem.ranks().is_first()) series_.emplace(folder / "series.csv", columns_);
+  plateaus_.emplace(folder);
   if (c.output.frames) frames_.emplace(folder / "frames");
 }
 
@@ -168,6 +169,8 @@ void Outputs::row(const dem::Dem& dem, const column::CoupledBed* liquid, std::in
   figures_.unbalanced_force = ratio(s.mean_unbalanced_force, s.mean_contact_force);
   figures_.max_overlap_ratio = std::max(figures_.max_overlap_ratio, s.max_overlap_ratio);
   figures_.coordination_number = s.coordination_number;
+  figures_.floor_force = support.floor;
+  figures_.wall_shear = support.shear;
   figures_.budget_error =
       support.load > 0.0
           ? 1.0 - (support.floor + support.shear + figures_.liquid.wall_shear) / support.load
@@ -181,9 +184,8 @@ void Outputs::row(const dem::Dem& dem, const column::CoupledBed* liquid, std::in
                              l.continuity_error, l.courant, l.largest_solid_fraction});
     }
     if (has_bed_) {
-      const double h0 = figures_.settled_height;
-      const io::Cell compression =
-          h0 > 0.0 ? io::Cell((h0 - figures_.bed.height) / h0) : io::Cell(std::string());
+      const auto share = figures_.compression();
+      const io::Cell compression = share ? io::Cell(*share) : io::Cell(std::string());
       row.insert(row.end(), {figures_.bed.height, compression, figures_.bed.mean_porosity,
                              figures_.bed.middle_porosity, support.floor, support.shear,
                              figures_.budget_error});
@@ -204,11 +206,11 @@ void Outputs::row(const dem::Dem& dem, const column::CoupledBed* liquid, std::in
       1 + static_cast<std::int64_t>(std::floor(s.time / *interval * (1.0 + rounding)));
   if (passed <= frames_by_time_) return;
   frames_by_time_ = passed;
-  frames_->write(dem);
+  frames_->write(dem, liquid);
 }
 
-void Outputs::stage_end(const dem::Dem& dem, std::int64_t stage) {
-  if (frames_ && !case_.output.frame_interval) frames_->write(dem);
+void Outputs::stage_end(const dem::Dem& dem, const column::CoupledBed* liquid, std::int64_t stage) {
+  if (frames_ && !case_.output.frame_interval) frames_->write(dem, liquid);
   if (has_bed_ && stage > 0 && figures_.bed.height > 0.0) write_profiles(dem, stage);
 }
 
@@ -291,7 +293,8 @@ Json Outputs::save() const {
   if (sections_) sections_->sync();
   return {{"series_bytes", series_ ? series_->bytes() : 0},
           {"sections_bytes", sections_ ? sections_->bytes() : 0},
-          {"frames", frames_ ? frames_->size() : 0},
+          {"plateaus", plateaus_->save()},
+          {"frames", frames_ ? frames_->save() : Json()},
           {"frames_by_time", frames_by_time_},
           {"bead_csv_files", bead_csv_files_},
           {"figures", to_json(figures_)},
@@ -303,6 +306,7 @@ void Outputs::load(const Json& saved) {
   frames_by_time_ = saved.at("frames_by_time");
   bead_csv_files_ = saved.at("bead_csv_files");
   if (!saved.at("reference").is_null()) reference_ = section_reference_from(saved.at("reference"));
+  plateaus_.emplace(folder_, saved.at("plateaus"));
   if (case_.output.frames) frames_.emplace(folder_ / "frames", saved.at("frames"));
   if (!Ranks::all().is_first()) return;
   series_ = io::SeriesWriter::resume(folder_ / "series.csv", columns_, saved.at("series_bytes"));

@@ -15,6 +15,7 @@
 #include "analysis/bed_height.hpp"
 #include "analysis/sections.hpp"
 #include "app/frame_writer.hpp"
+#include "app/plateau_outputs.hpp"
 #include "column/coupled_bed.hpp"
 #include "dem/dem.hpp"
 #include "io/series.hpp"
@@ -28,6 +29,8 @@ struct RowFigures {
   double unbalanced_force = 0.0;   ///< mean unbalanced / mean contact force
   double max_overlap_ratio = 0.0;  ///< largest of all rows
   double coordination_number = 0.0;
+  double floor_force = 0.0;       ///< downwards, of the beads on the floor [N]
+  double wall_shear = 0.0;        ///< downwards, of the beads on walls that stand [N]
   double budget_error = 0.0;      ///< 1 - (floor force + wall shear) / (weight + pressure force)
   analysis::BedFigures bed;       ///< where there is a floor
   double settled_height = 0.0;    ///< H0, at the end of the last settling; 0 before [m]
@@ -39,6 +42,12 @@ struct RowFigures {
     double pressure_drop = 0.0;  ///< [Pa]
     double bed_height = 0.0;     ///< [m]
   } highest_flow;
+
+  /// Of the bed against its settled height; nothing before the first settling, or without a bed.
+  [[nodiscard]] std::optional<double> compression() const {
+    if (settled_height <= 0.0) return {};
+    return (settled_height - bed.height) / settled_height;
+  }
 };
 
 class Outputs {
@@ -52,8 +61,14 @@ class Outputs {
 
   /// A row of every series; frames too if they are due by time. `liquid` where there is a flow. `stage` from 1, 0 at the start.
   void row(const dem::Dem& dem, const column::CoupledBed* liquid, std::int64_t stage);
+  /// A plateau that ended with the last row.
+  void plateau(const column::Plateau& plateau,
+               const column::CoupledBed& liquid,
+               std::int64_t stage) {
+    plateaus_->write(plateau, figures_, liquid, stage);
+  }
   /// What is written at the start and at the end of a stage, after its row.
-  void stage_end(const dem::Dem& dem, std::int64_t stage);
+  void stage_end(const dem::Dem& dem, const column::CoupledBed* liquid, std::int64_t stage);
   /// The bed as it is now is the settled one: heights and sections are compared with it from now on.
   void set_settled(const dem::Dem& dem);
 
@@ -76,6 +91,7 @@ class Outputs {
   bool has_liquid_;
   std::optional<io::SeriesWriter> series_;
   std::optional<io::SeriesWriter> sections_;
+  std::optional<PlateauOutputs> plateaus_;
   std::optional<FrameWriter> frames_;
   std::optional<analysis::SectionReference> reference_;
   std::int64_t bead_csv_files_ = 0;

@@ -50,6 +50,7 @@ void add_results(nlohmann::ordered_json& summary, const RunSummary& r) {
     summary["bed_height_at_highest_flow_m"] = f.highest_flow.bed_height;
   }
   summary["warnings"] = r.warnings;
+  summary["timings"] = to_json(r.timings);
   summary["wall_time_s"] = r.wall_time;
 }
 
@@ -76,7 +77,7 @@ void tell_results(const RunSummary& r) {
 
 void tell_files(const setup::Case& c, const std::filesystem::path& folder) {
   std::string files = "series.csv";
-  for (const auto* name : {"sections.csv", "profiles", "frames"}) {
+  for (const auto* name : {"sections.csv", "plateaus.csv", "profiles", "frames"}) {
     if (std::filesystem::exists(folder / name)) files += fmt::format(", {}", name);
   }
   if (c.protocol.empty()) fmt::print("The protocol has no steps: the start was written.\n");

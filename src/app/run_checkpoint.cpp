@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -51,6 +52,23 @@ std::string difference(const Json& saved, const Json& now) {
   return {};
 }
 
+/// Keys that a bed has from the run that made it.
+bool belongs_to_bed(std::string_view key) {
+  for (const auto* other : {"column.mesh.", "column.wall.", "column.frit."}) {
+    if (key.starts_with(other)) return false;
+  }
+  return key.starts_with("column.") || key.starts_with("resin.sizes.") ||
+         key == "resin.coarse_grain";
+}
+
+Json only_of_bed(const Json& values) {
+  Json some = Json::array();
+  for (const auto& v : values) {
+    if (belongs_to_bed(v[0].get<std::string>())) some.push_back(v);
+  }
+  return some;
+}
+
 fs::path folder_of_checkpoints(const fs::path& folder) { return folder / "checkpoints"; }
 
 void check_origin(const Json& run, const setup::Case& c, const fs::path& file) {
@@ -84,9 +102,54 @@ fs::path write_checkpoint(const setup::Case& c,
   writer.text("run", run.dump(-1, ' ', false, Json::error_handler_t::replace));
   io::write_dem_state(writer, dem.state());
   if (liquid != nullptr) write_fluid_state(writer, liquid->save());
-  const auto file = writer.commit();
-  if (dem.ranks().is_first()) io::prune_checkpoints(place, static_cast<std::size_t>(keep));
+  auto file = writer.commit();
+  prune_checkpoints(folder, keep);
   return file;
+}
+
+dem::DemState take_bed(const setup::Case& c, double step) {
+  const auto place = folder_of_checkpoints(*c.beads.run);
+  const auto file = io::latest_checkpoint(place);
+  if (!file) {
+    throw ConfigError(fmt::format(
+        "{}: there is no checkpoint to take the bed from; run that case again", place.string()));
+  }
+  const io::CheckpointReader reader(*file, Ranks::all());
+  const auto run = Json::parse(reader.text("run"));
+  const auto what = difference(only_of_bed(run.at("case")), only_of_bed(identity_of(c)));
+  if (!what.empty()) {
+    throw ConfigError(fmt::format(
+        "{}: beads.run = \"{}\" has a bed that does not belong in this column: {}; make them equal",
+        c.file.string(), c.beads.run->string(), what));
+  }
+  auto state = io::read_dem_state(reader, setup::make_walls(c));
+  const auto options = setup::options_of(c, step);
+  const auto before = state.progress;
+  state.walls = setup::make_walls(c);
+  state.progress = {.step = step,
+                    .skin = before.skin,
+                    .near_skin = before.near_skin,
+                    .cell = before.cell,
+                    .inertia_scale = options.inertia_scale,
+                    .background_damping = options.background_damping,
+                    .friction = options.model.friction,
+                    .rolling_friction = c.resin.rolling_friction};
+  for (auto& bead : state.beads) {
+    const auto& old = bead.properties;
+    const bool fixed = old.fixed;
+    const dem::Material material{
+        .youngs_modulus = c.resin.youngs_modulus.value_or(old.material.youngs_modulus),
+        .poisson_ratio = c.resin.poisson_ratio.value_or(old.material.poisson_ratio)};
+    bead.properties = setup::bead_properties(c, old.id, old.diameter,
+                                             c.resin.density.value_or(old.density), material);
+    bead.properties.fixed = fixed;
+  }
+  return state;
+}
+
+void prune_checkpoints(const fs::path& folder, int keep) {
+  if (!Ranks::all().is_first()) return;
+  io::prune_checkpoints(folder_of_checkpoints(folder), static_cast<std::size_t>(keep));
 }
 
 LoadedCheckpoint read_checkpoint(const setup::Case& c, const fs::path& folder) {

@@ -35,12 +35,20 @@ std::filesystem::path write_checkpoint(const setup::Case& c,
                                        const RunState& state,
                                        int keep);
 
+/// Takes all but the last `keep` away. All ranks call.
+void prune_checkpoints(const std::filesystem::path& folder, int keep);
+
 struct LoadedCheckpoint {
   std::filesystem::path file;
   dem::DemState beads;                      ///< of all ranks
   std::optional<fluid::FluidState> liquid;  ///< likewise, where there is a flow
   RunState state;
 };
+
+/// The beads at the end of the run `c.beads.run`, as the start of this case: where they are, with their springs;
+/// laws, walls and properties are those of the case. Throws ConfigError if column or sizes of beads differ,
+/// naming the key; DataError if the checkpoint is truncated or altered.
+dem::DemState take_bed(const setup::Case& c, double step);
 
 /// The last checkpoint in the run's folder. Throws ConfigError if there is none, or if it belongs to
 /// another case (naming the first key that differs) or another version of the program; DataError

@@ -27,6 +27,7 @@ struct Pattern {
 constexpr Pattern patterns[] = {{"", "summary.json", ""},
                                 {"", "series.csv", ""},
                                 {"", "sections.csv", ""},
+                                {"", "plateaus.csv", ""},
                                 {"", "case.toml", ""},
                                 {"", "run.log", ""},
                                 {"", "measured.csv", ""},
@@ -34,13 +35,19 @@ constexpr Pattern patterns[] = {{"", "summary.json", ""},
                                 {"frames", "beads_", ".csv"},
                                 {"frames", "beads_", ".hdf"},
                                 {"frames", "contacts_", ".hdf"},
+                                {"frames", "liquid_", ".hdf"},
                                 {"frames", "beads", ".series"},
                                 {"frames", "contacts", ".series"},
+                                {"frames", "liquid", ".series"},
                                 {"profiles", "x_", ".csv"},
                                 {"profiles", "y_", ".csv"},
                                 {"profiles", "z_", ".csv"},
                                 {"profiles", "wall_distance_", ".csv"},
-                                {"checkpoints", "checkpoint_", ".h5"}};
+                                {"profiles", "plateau_z_", ".csv"},
+                                {"profiles", "plateau_x_", ".csv"},
+                                {"profiles", "plateau_radius_", ".csv"},
+                                {"checkpoints", "checkpoint_", ".h5"},
+                                {"checkpoints", "timings.json", ""}};
 
 bool matches(std::string name, const Pattern& pattern) {
   if (name.ends_with(".part")) name.resize(name.size() - 5);

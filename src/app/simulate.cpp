@@ -12,6 +12,7 @@
 #include "app/run_log.hpp"
 #include "app/stages.hpp"
 #include "app/stop_signal.hpp"
+#include "app/timings.hpp"
 #include "core/error.hpp"
 #include "core/version.hpp"
 #include "dem/inertia_scale.hpp"
@@ -68,13 +69,20 @@ class Simulation {
             .has_flow = has_flow(c_),
             .figures = outputs_->figures(),
             .warnings = now_.warnings,
+            .timings = timings_,
             .wall_time = seconds_since(start_)};
   }
 
  private:
   void start() {
     log_.line(fmt::format("packbed {}, case {}", version, c_.file.string()));
-    dem_.emplace(setup::make_dem(c_, choice_.step, Ranks::all()));
+    if (c_.beads.run) {
+      dem_.emplace(setup::options_of(c_, choice_.step), take_bed(c_, choice_.step),
+                   dem::Dem::Lists::anew, Ranks::all());
+      log_.line(fmt::format("bed taken from {}", c_.beads.run->string()));
+    } else {
+      dem_.emplace(setup::make_dem(c_, choice_.step, Ranks::all()));
+    }
     log_.line(fmt::format("{} beads on {} ranks", dem_->bead_count(), Ranks::all().size()));
     log_.line(c_.numerics.inertia_scale
                   ? fmt::format("inertia scale {} (given)", *c_.numerics.inertia_scale)
@@ -86,12 +94,15 @@ class Simulation {
     outputs_.emplace(c_, folder_, *dem_, nullptr);
     progress_.emplace(0);
     outputs_->row(*dem_, nullptr, 0);
-    outputs_->stage_end(*dem_, 0);
+    if (c_.beads.run) outputs_->set_settled(*dem_);
+    outputs_->stage_end(*dem_, nullptr, 0);
   }
 
   void go_on() {
     const auto saved = read_checkpoint(c_, folder_);
     now_ = saved.state;
+    if (now_.stage == stages_) prune_checkpoints(folder_, 1);  // which it was killed before
+    timings_ = read_timings(folder_);
     dem_.emplace(setup::options_of(c_, choice_.step), saved.beads, dem::Dem::Lists::as_saved,
                  Ranks::all());
     if (saved.liquid) {
@@ -105,28 +116,43 @@ class Simulation {
     }
     log_.line(fmt::format("resumed at step {}, time {:.6g} s, from {} on {} ranks", dem_->steps(),
                           dem_->time(), saved.file.filename().string(), Ranks::all().size()));
+    if (timings_.empty()) {
+      log_.line("checkpoints/timings.json is missing: timings count from here on");
+    }
   }
 
   void carry_out_stage() {
     enter_or_leave_liquid();
     const auto stage = make_stage(c_, now_.stage, choice_, liquid_.get());
+    clock_.emplace(entry_of(timings_, now_.stage + 1, stage->name()), liquid_.get());
     if (now_.stage_state.is_null()) {
-      stage->begin(*dem_);
+      clock_->advance.time([&] { stage->begin(*dem_); });
     } else {
       stage->load(now_.stage_state);
     }
     for (auto after = column::After::goes_on; after != column::After::end;) {
-      after = stage->advance(*dem_);
-      if (after != column::After::goes_on) outputs_->row(*dem_, liquid_.get(), now_.stage + 1);
+      after = clock_->advance.time([&] { return stage->advance(*dem_); });
+      clock_->outputs.time([&] { write_outputs(*stage, after); });
       show_progress(*stage);
       if (after != column::After::end) answer_clock_and_signals(*stage);
     }
-    if (stage->name() == "settle") outputs_->set_settled(*dem_);
-    outputs_->stage_end(*dem_, now_.stage + 1);
+    clock_->outputs.time([&] {
+      if (stage->name() == "settle") outputs_->set_settled(*dem_);
+      outputs_->stage_end(*dem_, liquid_.get(), now_.stage + 1);
+    });
     log_.line(fmt::format("stage {}: {}, {}", now_.stage + 1, stage->name(), stage->result(*dem_)));
     judge_inertia(stage->name());
     now_.stage_state = nullptr;
     checkpoint(now_.stage + 1);
+    log_.line(in_words(timings_.back()));
+    clock_.reset();
+  }
+
+  void write_outputs(const column::Stage& stage, column::After after) {
+    if (after != column::After::goes_on) outputs_->row(*dem_, liquid_.get(), now_.stage + 1);
+    if (const auto plateau = stage.finished_plateau()) {
+      outputs_->plateau(*plateau, *liquid_, now_.stage + 1);
+    }
   }
 
   // Stages without a flow know no liquid but its weight, and move beads with their own inertia.
@@ -191,8 +217,11 @@ class Simulation {
     state.stage = stage;
     state.outputs = outputs_->save();
     const int keep = stage == stages_ ? 1 : 2;
-    auto file = write_checkpoint(c_, folder_, *dem_, liquid_.get(), state, keep);
+    auto file = clock_->outputs.time(
+        [&] { return write_checkpoint(c_, folder_, *dem_, liquid_.get(), state, keep); });
     saved_ = Clock::now();
+    timings_.back() = clock_->now();
+    if (Ranks::all().is_first()) write_timings(folder_, timings_);
     return file;
   }
 
@@ -209,6 +238,9 @@ class Simulation {
   std::unique_ptr<column::CoupledBed> liquid_;  ///< where there is a flow
   std::optional<Outputs> outputs_;
   std::optional<Progress> progress_;
+  std::vector<StageTimings>
+      timings_;  ///< of stages that are over, and of the present one when last saved
+  std::optional<StageClock> clock_;  ///< of the present stage
   RunState now_;
 };
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/outputs.hpp"
+#include "app/timings.hpp"
 #include "setup/case.hpp"
 
 namespace packbed::app {
@@ -24,6 +25,7 @@ struct RunSummary {
   bool has_flow = false;
   RowFigures figures;
   std::vector<std::string> warnings;
+  std::vector<StageTimings> timings;
   double wall_time = 0.0;  ///< of this process [s]
 };
 

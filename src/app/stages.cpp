@@ -170,7 +170,7 @@ double expected_steps(const setup::Case& c, std::int64_t k, double step) {
 }
 
 bool can_simulate(const setup::Case& c) {
-  return (c.beads.csv || setup::makes_beads(c)) && are_known(c.protocol);
+  return (c.beads.csv || c.beads.run || setup::makes_beads(c)) && are_known(c.protocol);
 }
 
 }  // namespace packbed::app

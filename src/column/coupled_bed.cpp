@@ -16,6 +16,7 @@ fluid::Bed to_bed(coupling::BedFields fields) {
   bed.eps = std::move(fields.eps);
   bed.exchange = std::move(fields.exchange);
   bed.u_solid = std::move(fields.u_solid);
+  bed.source = std::move(fields.source);
   return bed;
 }
 
@@ -60,9 +61,12 @@ void CoupledBed::start(dem::Dem& dem) {
 void CoupledBed::advance(dem::Dem& dem, std::int64_t count) {
   const double dt = static_cast<double>(count) * dem.options().step;
   dem.run(count);
-  share_like(dem);
-  report_ = fluid_.step(dt, to_bed(coupling_->bed(dem, mesh_, dt)));
-  coupling_->pull(fields(), dem);
+  const auto bed = coupling_time_.time([&] {
+    share_like(dem);
+    return to_bed(coupling_->bed(dem, mesh_, dt));
+  });
+  report_ = liquid_time_.time([&] { return fluid_.step(dt, bed); });
+  coupling_time_.time([&] { coupling_->pull(fields(), dem); });
 }
 
 void CoupledBed::load(const fluid::FluidState& state, const dem::Dem& dem) {

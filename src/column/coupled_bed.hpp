@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/stopwatch.hpp"
 #include "coupling/coupling.hpp"
 #include "dem/dem.hpp"
 #include "fluid/fluid.hpp"
@@ -51,6 +52,12 @@ class CoupledBed {
   [[nodiscard]] double time() const { return fluid_.time(); }  ///< of the liquid [s]
   [[nodiscard]] LiquidFigures figures() const;
   [[nodiscard]] const fluid::Fluid& fluid() const { return fluid_; }
+  [[nodiscard]] const CoupledOptions& options() const { return options_; }
+  [[nodiscard]] const mesh::ColumnShape& shape() const { return shape_; }
+
+  /// Wall time of this process for weights, fields of the beads and drag, and for steps of the liquid [s].
+  [[nodiscard]] double coupling_seconds() const { return coupling_time_.seconds(); }
+  [[nodiscard]] double liquid_seconds() const { return liquid_time_.seconds(); }
 
   [[nodiscard]] fluid::FluidState save() const { return fluid_.save(); }
   /// For a resumed run; the beads have their drag from their own state.
@@ -68,6 +75,8 @@ class CoupledBed {
   fluid::Fluid fluid_;
   std::optional<coupling::Coupling> coupling_;  ///< of the present partition
   fluid::StepReport report_{};
+  Stopwatch coupling_time_;
+  Stopwatch liquid_time_;
 };
 
 }  // namespace packbed::column

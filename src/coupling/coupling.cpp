@@ -68,7 +68,7 @@ BedFields Coupling::bed(const dem::Dem& dem, const mesh::ColumnMesh& mesh, doubl
     const auto& g = grains_[i];
     weights_.for_each(i, [&](std::int64_t cell, double w) {
       const std::size_t c = at(cell);
-      const double wk = w * law_[c](g.diameter);
+      const double wk = w * g.share * law_[c](g.diameter);
       auto& sum = sums[c];
       sum[0] += wk;
       sum[1] += wk * g.v.x;
@@ -88,18 +88,43 @@ BedFields Coupling::bed(const dem::Dem& dem, const mesh::ColumnMesh& mesh, doubl
     fields.u_solid.push_back(s[0] > 0.0 ? (1.0 / s[0]) * Vec3{s[1], s[2], s[3]} : Vec3{});
   }
   window_.fill_from_owners(exchange_, 1);
+  if (options_.overlap == OverlapRule::merged && dt > 0.0) fields.source = expelled(dt);
   return fields;
+}
+
+// Water that beads gave away as their contacts took more of them, per volume and time of each own cell.
+std::vector<double> Coupling::expelled(double dt) {
+  std::vector<double> sums(window_.size());
+  for (std::size_t i = 0; i < grains_.size(); ++i) {
+    weights_.for_each(
+        i, [&](std::int64_t cell, double w) { sums[at(cell)] += w * grains_[i].expelled; });
+  }
+  window_.add_to_owners(sums, 1);
+  std::vector<double> source;
+  for (std::size_t c = window_.own_first(); c < window_.own_last(); ++c) {
+    source.push_back(sums[c] / (volume_[c] * dt));
+  }
+  return source;
 }
 
 void Coupling::find_beads(const dem::Dem& dem, double dt) {
   const auto& p = dem.particles();
+  const bool is_merged = options_.overlap == OverlapRule::merged;
+  const auto lens = is_merged ? dem.lens_volumes() : std::vector<double>(p.size());
   grains_.clear();
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (!p.is_own(i)) continue;
     const double d = p.properties[i].diameter;
-    Grain g{.place = i, .volume = std::numbers::pi / 6.0 * d * d * d, .diameter = d, .v = {}};
+    const double whole = std::numbers::pi / 6.0 * d * d * d;
+    Grain g{.place = i,
+            .volume = whole - lens[i],
+            .share = 1.0 - lens[i] / whole,
+            .diameter = d,
+            .lens = lens[i],
+            .v = {}};
     if (dt > 0.0) {
-      g.v = (1.0 / dt) * displacement(p.motion[i].x, p.coupled_at[i], dem.options().domain);
+      g.expelled = g.lens - p.coupled_at[i].lens;
+      g.v = (1.0 / dt) * displacement(p.motion[i].x, p.coupled_at[i].x, dem.options().domain);
     }
     grains_.push_back(g);
   }
@@ -196,7 +221,7 @@ void Coupling::pull(const LiquidFields& liquid, dem::Dem& dem) {
     double rate = 0.0;
     weights_.for_each(i, [&](std::int64_t cell, double w) {
       const std::size_t c = at(cell);
-      const double k = law_[c](g.diameter);
+      const double k = g.share * law_[c](g.diameter);
       const double eps = eps_[c];
       force += (w * k) * (u_[c] - g.v) - (w * g.volume) * grad_p[c];
       rate += w * (frozen_flux ? (k + g.volume * exchange_[c] / eps) / eps : k);
@@ -204,7 +229,7 @@ void Coupling::pull(const LiquidFields& liquid, dem::Dem& dem) {
     Vec3 target = g.v + (1.0 / rate) * force;
     if (is_empty_y_) target.y = 0.0;  // nothing flows there
     drag[g.place] = {target, rate};
-    coupled_at[g.place] = dem.particles().motion[g.place].x;
+    coupled_at[g.place] = {.x = dem.particles().motion[g.place].x, .lens = g.lens};
   }
 }
 

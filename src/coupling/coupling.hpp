@@ -25,9 +25,16 @@ enum class Scheme {
   frozen_velocity,  ///< that of the liquid and the pressure gradient stay: the classical scheme
 };
 
+/// How much of two beads that overlap is solid.
+enum class OverlapRule {
+  full,    ///< both whole: a bead that is squeezed keeps its volume (thesis eq. 7.9)
+  merged,  ///< what they have in common counts once: water leaves a gel that is squeezed
+};
+
 struct CouplingOptions {
   DragLaw drag = KochHill{};
   Scheme scheme = Scheme::frozen_flux;
+  OverlapRule overlap = OverlapRule::full;
   double coarse_grain = 1.0;  ///< diameters of a bead of the bed over those of the resin
   double rho_f = 998.2;       ///< [kg/m3]
   double mu_f = 1e-3;         ///< [Pa s]
@@ -41,6 +48,8 @@ struct BedFields {
   std::vector<double> eps{};       ///< void fraction
   std::vector<double> exchange{};  ///< B = sum w K / V, K in the cell [kg/(m3 s)]
   std::vector<Vec3> u_solid{};     ///< sum w K v / sum w K [m/s]
+  std::vector<double>
+      source{};  ///< water that left the beads since the last pull [1/s]; empty: none
 };
 
 /// What the liquid is to the beads, one value per own cell.
@@ -79,6 +88,7 @@ class Coupling {
 
  private:
   void find_beads(const dem::Dem& dem, double dt);
+  [[nodiscard]] std::vector<double> expelled(double dt);
   void sum_beads(const mesh::ColumnMesh& mesh);
   [[nodiscard]] double mean_diameter() const;
   double set_law(std::size_t c, double slip, double mean_diameter);
@@ -91,8 +101,11 @@ class Coupling {
   /// An own bead at an instant.
   struct Grain {
     std::size_t place = 0;  ///< in the arrays of the Dem
-    double volume = 0.0;    ///< [m3]
+    double volume = 0.0;    ///< that counts [m3]
+    double share = 1.0;     ///< of the whole bead, by volume
     double diameter = 0.0;  ///< [m]
+    double lens = 0.0;      ///< what does not count [m3]
+    double expelled = 0.0;  ///< since the last pull [m3]
     Vec3 v;                 ///< mean of the past interval [m/s]
   };
 

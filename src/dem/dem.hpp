@@ -103,8 +103,8 @@ class Dem {
   /// One per bead of particles(), in a liquid; it acts from the next step on and stays with its bead. That
   /// of halo beads is not looked at.
   [[nodiscard]] std::span<Drag> drag() { return particles_.drag; }
-  /// Likewise: centers at the last coupling [m]; may be on another side of a periodic box by now.
-  [[nodiscard]] std::span<Vec3> coupled_at() { return particles_.coupled_at; }
+  /// Likewise: beads at the last coupling; the centers may be on another side of a periodic box by now.
+  [[nodiscard]] std::span<CouplingMark> coupled_at() { return particles_.coupled_at; }
   /// All diameters times `factor`, at constant density: masses, weights, moments of inertia and the
   /// coefficients of all contacts follow; centers, velocities, spins and springs (as lengths and
   /// angles) stay, and so do skin and box. The lists are renewed. All ranks call it. Throws ValueError
@@ -118,6 +118,12 @@ class Dem {
   [[nodiscard]] Snapshot snapshot() const;
   /// All ranks call it; the contacts are on rank 0, sorted by ids, the lower one first.
   [[nodiscard]] std::vector<ContactReport> touching_contacts() const;
+  /// Volume of each bead of particles() that its contacts take: beyond the plane in which the surfaces of two
+  /// beads meet, and behind walls, which count as flat [m3]. That of halo beads is not complete.
+  [[nodiscard]] std::vector<double> lens_volumes() const;
+  /// Pairs of such caps that meet inside their bead, and that lens_volumes() therefore counts twice; of all
+  /// ranks, all call it.
+  [[nodiscard]] std::int64_t meeting_lenses() const;
   /// Throws DivergenceError for the first overlap beyond the limit. The driver asks at every output.
   void check_overlaps() const;
   /// Of the beads of all ranks; all call it.

@@ -26,7 +26,7 @@ NamedBead named(const Particles& p, std::size_t i, std::int32_t owner) {
           .properties = p.properties[i],
           .owner = owner,
           .drag = p.in_liquid ? p.drag[i] : Drag{},
-          .coupled_at = p.in_liquid ? p.coupled_at[i] : Vec3{}};
+          .coupled_at = p.in_liquid ? p.coupled_at[i] : CouplingMark{}};
 }
 
 }  // namespace

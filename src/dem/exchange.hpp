@@ -47,7 +47,7 @@ struct NamedBead {
   BeadProperties properties;
   std::int32_t owner = 0;
   Drag drag;
-  Vec3 coupled_at;
+  CouplingMark coupled_at;
 };
 
 /// What comes to a rank, or goes from it, at a renewal.

@@ -81,6 +81,11 @@ double damping_ratio_of_bed(const DraggedBed& bed, double scale) {
   return bed.drag_rate / (2.0 * scale * w);
 }
 
+double consolidation_time(const DraggedBed& bed) {
+  const double length = 2.0 * bed.height / std::numbers::pi;
+  return bed.drag_rate * bed.bulk_density * length * length / bed.modulus;
+}
+
 InertiaChoice dragged_inertia_scale(const DraggedBed& bed) {
   require_positive(std::array{
       Named{"drag rate", bed.drag_rate}, Named{"height", bed.height}, Named{"modulus", bed.modulus},

@@ -58,7 +58,7 @@ struct DraggedBed {
   double height;           ///< [m]
   double modulus;          ///< in uniaxial strain [Pa]
   double bulk_density;     ///< solid fraction times bead density [kg/m3]
-  double loose_drag_time;  ///< mass / drag coefficient of a loose bead, at s = 1 [s]
+  double loose_drag_time;  ///< mass / drag coefficient of a bead without contacts, at s = 1 [s]
   double flow_step;        ///< time for which the flow stays as it is [s]
 };
 
@@ -78,6 +78,10 @@ double damping_ratio_of_bed(const DraggedBed& bed, double scale);
 /// (iii) The largest s with damping ratio >= 1 (a bed that swings over packs too densely) and
 /// s loose_drag_time <= flow_step. Not below 1. Throws ValueError for numbers that are not positive.
 InertiaChoice dragged_inertia_scale(const DraggedBed& bed);
+
+/// Time in which the slowest mode of an overdamped bed falls to 1/e, at any scale [s]:
+///   drag rate / (s w_1^2) = drag rate rho (2 H / pi)^2 / M.
+double consolidation_time(const DraggedBed& bed);
 
 /// The monitor: one line that names the stage, the figures, their limits and a scale that would have
 /// been fine; nothing if the bed counts as static. Both figures grow with s in a slowly driven bed.

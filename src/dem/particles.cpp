@@ -45,7 +45,7 @@ void add(Particles& particles,
          const BeadProperties& properties,
          std::int32_t owner,
          const Drag& drag,
-         const Vec3& coupled_at) {
+         const CouplingMark& coupled_at) {
   const auto place = static_cast<std::ptrdiff_t>(particles.size());
   particles.motion.insert(particles.motion.begin() + place, motion);
   particles.spin.insert(particles.spin.begin() + place, spin);
@@ -100,7 +100,7 @@ void set_in_liquid(bool in_liquid, Particles& particles) {
   particles.coupled_at.clear();
   if (!in_liquid) return;
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    particles.coupled_at.push_back(particles.motion[i].x);
+    particles.coupled_at.push_back({.x = particles.motion[i].x});
   }
 }
 

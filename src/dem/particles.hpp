@@ -55,13 +55,19 @@ struct BeadProperties {
   bool fixed = false;
 };
 
+/// What the last coupling with a liquid knew of a bead.
+struct CouplingMark {
+  Vec3 x;             ///< center [m]
+  double lens = 0.0;  ///< volume in its contacts that did not count then [m3]
+};
+
 struct Particles {
   AlignedVector<Motion> motion{};
   AlignedVector<Spin> spin{};
   AlignedVector<Load> load{};
-  AlignedVector<Vec3> reference{};   ///< centers when pairs were last listed
-  AlignedVector<Drag> drag{};        ///< one per bead in a liquid, else empty; no dummies
-  AlignedVector<Vec3> coupled_at{};  ///< likewise: centers at the last coupling with the liquid [m]
+  AlignedVector<Vec3> reference{};           ///< centers when pairs were last listed
+  AlignedVector<Drag> drag{};                ///< one per bead in a liquid, else empty; no dummies
+  AlignedVector<CouplingMark> coupled_at{};  ///< likewise
   std::vector<BeadProperties> properties{};
   std::vector<std::int32_t> owner{};  ///< rank that owns the bead
   std::int32_t rank = 0;              ///< this one
@@ -93,7 +99,7 @@ void add(Particles& particles,
          const BeadProperties& properties,
          std::int32_t owner,
          const Drag& drag = {},
-         const Vec3& coupled_at = {});
+         const CouplingMark& coupled_at = {});
 
 /// From now on beads have a drag, zero at first, and are coupled where they are; or no longer.
 void set_in_liquid(bool in_liquid, Particles& particles);

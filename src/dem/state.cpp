@@ -82,7 +82,7 @@ DemState Dem::state() const {
     if (!p.is_own(i)) continue;
     s.beads.push_back({p.properties[i], p.motion[i].x, p.motion[i].v, p.spin[i].w, p.reference[i],
                        far_reference_[i], p.in_liquid ? p.drag[i] : Drag{},
-                       p.in_liquid ? p.coupled_at[i] : Vec3{}});
+                       p.in_liquid ? p.coupled_at[i] : CouplingMark{}});
   }
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     const auto c = contacts_.pair(k);

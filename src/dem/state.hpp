@@ -27,7 +27,7 @@ struct BeadState {
   Vec3 reference;      ///< center when near pairs were last listed [m]
   Vec3 far_reference;  ///< center at the last renewal [m]
   Drag drag;           ///< of a liquid, if there is one
-  Vec3 coupled_at;     ///< center at the last coupling with it [m]
+  CouplingMark coupled_at;
 };
 
 /// A near pair with springs; signs and image as seen from its first bead, which comes first in the

@@ -110,7 +110,9 @@ void write_dem_state(CheckpointWriter& writer, const dem::DemState& share) {
   writer.array("dem/reference_m", column<Vec3>(beads, [](auto& b) { return b.reference; }));
   writer.array("dem/far_reference_m", column<Vec3>(beads, [](auto& b) { return b.far_reference; }));
   writer.array("dem/drag_target_m_s", column<Vec3>(beads, [](auto& b) { return b.drag.target; }));
-  writer.array("dem/coupled_at_m", column<Vec3>(beads, [](auto& b) { return b.coupled_at; }));
+  writer.array("dem/coupled_at_m", column<Vec3>(beads, [](auto& b) { return b.coupled_at.x; }));
+  writer.array("dem/coupled_lens_m3",
+               column<double>(beads, [](auto& b) { return b.coupled_at.lens; }));
   writer.array("dem/drag_rate_kg_s", column<double>(beads, [](auto& b) { return b.drag.rate; }));
   writer.array("dem/properties", properties_of(beads), property_width);
   writer.array("dem/fixed", column<std::uint8_t>(beads, [](auto& b) -> std::uint8_t {
@@ -167,6 +169,7 @@ dem::DemState read_dem_state(const CheckpointReader& reader, std::vector<dem::Wa
   const auto drag_target = reader.read<Vec3>("dem/drag_target_m_s");
   const auto drag_rate = reader.read<double>("dem/drag_rate_kg_s");
   const auto coupled_at = reader.read<Vec3>("dem/coupled_at_m");
+  const auto coupled_lens = reader.read<double>("dem/coupled_lens_m3");
   for (std::size_t i = 0; i < id.size(); ++i) {
     s.beads.push_back({properties_from(id[i], &properties[property_width * i], fixed[i] != 0),
                        x[i],
@@ -175,7 +178,7 @@ dem::DemState read_dem_state(const CheckpointReader& reader, std::vector<dem::Wa
                        reference[i],
                        far_reference[i],
                        {drag_target[i], drag_rate[i]},
-                       coupled_at[i]});
+                       {coupled_at[i], coupled_lens[i]}});
   }
   const auto id_i = reader.read<std::int64_t>("dem/contact_id_i");
   const auto id_j = reader.read<std::int64_t>("dem/contact_id_j");

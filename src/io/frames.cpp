@@ -21,6 +21,29 @@ std::vector<T> each(std::span<const ContactLine> contacts, T ContactLine::*membe
   return values;
 }
 
+/// Points of all levels of a mesh, those of the outlet first.
+std::vector<Vec3> points_of(const mesh::ColumnMesh& mesh) {
+  std::vector<Vec3> points;
+  for (std::int32_t k = 0; k <= mesh.layers(); ++k) {
+    for (const auto& p : mesh.section().points) points.push_back({p.x, p.y, mesh.level(k)});
+  }
+  return points;
+}
+
+/// Corners of all cells: lower side counterclockwise, then the upper one, as VTK wants them.
+std::vector<std::int64_t> corners_of(const mesh::ColumnMesh& mesh) {
+  std::vector<std::int64_t> corners;
+  const auto per_level = static_cast<std::int64_t>(mesh.section().points.size());
+  for (std::int64_t k = 0; k < mesh.layers(); ++k) {
+    for (const auto& cell : mesh.section().cells) {
+      for (const auto level : {k, k + 1}) {
+        for (const auto point : cell) corners.push_back(level * per_level + point);
+      }
+    }
+  }
+  return corners;
+}
+
 }  // namespace
 
 void write_bead_frame(const std::filesystem::path& file,
@@ -69,6 +92,21 @@ void write_contact_frame(const std::filesystem::path& file,
                      {"id_j", std::span<const std::int64_t>(id_j)}},
        .numbers = {{"time_s", frame.time}}},
       options);
+}
+
+void write_liquid_frame(const std::filesystem::path& file,
+                        const LiquidFrame& frame,
+                        const FrameOptions& options) {
+  const auto points = points_of(frame.mesh);
+  const auto corners = corners_of(frame.mesh);
+  write_unstructured_grid(file,
+                          {.shape = CellShape::hexahedron,
+                           .points = points,
+                           .connectivity = corners,
+                           .point_data = {},
+                           .cell_data = frame.cells,
+                           .numbers = {{"time_s", frame.time}}},
+                          options);
 }
 
 }  // namespace packbed::io

@@ -2,7 +2,7 @@
 #pragma once
 
 /// @file
-/// Frames of a run for ParaView: beads and the contacts between them (docs/manual/output-files.md).
+/// Frames of a run for ParaView: beads, the contacts between them, the liquid (docs/manual/output-files.md).
 /// One process writes; on several ranks the data are gathered before.
 
 #include <cstdint>
@@ -12,6 +12,7 @@
 
 #include "core/vec3.hpp"
 #include "io/vtkhdf.hpp"
+#include "mesh/column_mesh.hpp"
 
 namespace packbed::io {
 
@@ -56,5 +57,17 @@ struct ContactFrame {
 void write_contact_frame(const std::filesystem::path& file,
                          const ContactFrame& frame,
                          const FrameOptions& options = {});
+
+/// The liquid at one time: the cells of a mesh, one value each, in the order of the mesh.
+struct LiquidFrame {
+  double time = 0.0;  ///< [s]
+  const mesh::ColumnMesh& mesh;
+  std::vector<FrameArray> cells;  ///< {"velocity_m_s", u}, ...
+};
+
+/// Writes the cells as hexahedra. Throws DataError if the file cannot be written.
+void write_liquid_frame(const std::filesystem::path& file,
+                        const LiquidFrame& frame,
+                        const FrameOptions& options = {});
 
 }  // namespace packbed::io

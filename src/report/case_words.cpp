@@ -115,6 +115,15 @@ std::string liquid_line(const RunData& run, const UnitSystem& units) {
                      per_milli_pa_s * *viscosity);
 }
 
+std::string coupling_line(const Json& v) {
+  return listed({{"drag law", text(v, "/drag/law")},
+                 {"smallest void fraction it sees", text(v, "/drag/min_void_fraction")},
+                 {"overlaps", text(v, "/coupling/overlap")},
+                 {"averaging width", text(v, "/coupling/averaging_width")},
+                 {"interval", text(v, "/coupling/interval")},
+                 {"scheme", text(v, "/coupling/scheme")}});
+}
+
 std::string numerics_line(const RunData& run) {
   auto line = listed({{"seed", text(run.values, "/numerics/seed")},
                       {"time step", text(run.values, "/numerics/step")},
@@ -218,8 +227,13 @@ std::vector<CaseLine> case_lines(const RunData& run, const UnitSystem& units) {
                                  {"Beads", bead_line(run)},
                                  {"Liquid", liquid_line(run, units)},
                                  {"Numerics", numerics_line(run)}};
-  if (const auto file = text(run.values, "/beads/csv"); !file.empty()) {
-    lines.insert(lines.begin() + 3, {"Bead file", file});
+  if (run.values.contains("liquid")) {
+    lines.insert(lines.end() - 1, {"Coupling", coupling_line(run.values)});
+  }
+  for (const auto& [name, key] : {std::pair{"Bead file", "/beads/csv"}, {"Bed of", "/beads/run"}}) {
+    if (const auto file = text(run.values, key); !file.empty()) {
+      lines.insert(lines.begin() + 3, {name, file});
+    }
   }
   return lines;
 }

@@ -68,10 +68,34 @@ struct LiquidOptions {
   bool operator==(const LiquidOptions&) const = default;
 };
 
+enum class DragLawName { koch_hill, ergun, gidaspow, di_felice, beetstra };
+
+/// Of the liquid on the beads.
+struct DragOptions {
+  DragLawName law = DragLawName::koch_hill;
+  std::optional<double> min_void_fraction{};  ///< the law sees no smaller one; none: as it is
+  bool operator==(const DragOptions&) const = default;
+};
+
+enum class OverlapRuleName { full, merged };
+enum class CouplingSchemeName { frozen_flux, frozen_velocity };
+
+/// How beads and liquid exchange what they give each other.
+struct CouplingOptions {
+  OverlapRuleName overlap = OverlapRuleName::full;
+  CouplingSchemeName scheme = CouplingSchemeName::frozen_flux;
+  std::optional<double>
+      averaging_width{};             ///< reach of the kernel [m]; none: chosen by the program
+  std::optional<double> interval{};  ///< longest between exchanges [s]; none: chosen likewise
+  bool operator==(const CouplingOptions&) const = default;
+};
+
 struct BeadOptions {
   std::optional<std::filesystem::path> csv;
-  io::BeadTable table;                ///< of `csv`; empty otherwise
-  std::optional<std::int64_t> count;  ///< grains to make, where a number is asked for
+  io::BeadTable table;                       ///< of `csv`; empty otherwise
+  std::optional<std::int64_t> count;         ///< grains to make, where a number is asked for
+  std::optional<std::filesystem::path> run;  ///< folder of the run whose last state the beads are
+  std::int64_t beads_of_run = 0;             ///< their number
   bool operator==(const BeadOptions&) const = default;
 };
 
@@ -174,6 +198,8 @@ struct Case {
   ColumnOptions column;
   ResinOptions resin;
   std::optional<LiquidOptions> liquid;  ///< none: dry
+  DragOptions drag;
+  CouplingOptions coupling;
   BeadOptions beads;
   std::vector<ProtocolStep> protocol;
   NumericsOptions numerics;

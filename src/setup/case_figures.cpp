@@ -100,6 +100,8 @@ CaseFigures figures(const Case& c) {
   }
   if (c.beads.csv) {
     f.bead_count = static_cast<double>(c.beads.table.size());
+  } else if (c.beads.run) {
+    f.bead_count = static_cast<double>(c.beads.beads_of_run);
   } else if (c.beads.count) {
     f.bead_count = static_cast<double>(*c.beads.count);
   } else if (f.bed) {

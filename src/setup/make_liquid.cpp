@@ -2,39 +2,16 @@
 #include "setup/make_liquid.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
 #include <vector>
 
-#include "resin/size_statistics.hpp"
+#include "setup/averaging.hpp"
 #include "setup/make_dem.hpp"
 
 namespace packbed::setup {
 namespace {
-
-/// Mean diameter of the grains, Sauter mean of the beads that they stand for [m].
-struct Sizes {
-  double grain = 0.0;
-  double bead_sauter = 0.0;
-};
-
-Sizes sizes_of(const Case& c) {
-  if (c.resin.sizes) {
-    const auto s = resin::statistics(*c.resin.sizes);
-    return {c.resin.coarse_grain * s.mean, s.sauter};
-  }
-  std::array<double, 4> moments{};
-  for (const double d : c.beads.table.diameter) {
-    double power = 1.0;
-    for (auto& m : moments) {
-      m += power;
-      power *= d;
-    }
-  }
-  return {moments[1] / moments[0], moments[3] / moments[2] / c.resin.coarse_grain};
-}
 
 /// A property of the beads: that of the bead file, its mean, or that of the resin.
 double mean(const std::optional<double>& resin, const std::vector<double>& column) {
@@ -72,12 +49,28 @@ double stiffness_of(const Case& c, double grain) {
       contact_model(c).contact);
 }
 
+coupling::DragLaw drag_law(DragLawName name) {
+  switch (name) {
+    case DragLawName::ergun:
+      return coupling::Ergun{};
+    case DragLawName::gidaspow:
+      return coupling::Gidaspow{};
+    case DragLawName::di_felice:
+      return coupling::DiFelice{};
+    case DragLawName::beetstra:
+      return coupling::Beetstra{};
+    case DragLawName::koch_hill:
+      break;
+  }
+  return coupling::KochHill{};
+}
+
 column::FlowOptions common(const Case& c, const dem::StepChoice& step) {
-  const auto sizes = sizes_of(c);
+  const auto sizes = grain_sizes(c);
   column::FlowOptions o;
   o.interval = c.output.interval;
   o.area = mesh::cross_section(c.column.shape);
-  o.coupling_interval = longest_coupling_interval;
+  o.coupling_interval = c.coupling.interval;
   o.inertia_scale = c.numerics.inertia_scale;
   o.stepping = {.longest_step = step.contact_time / dem::fewest_steps_per_contact,
                 .fixed_step = c.numerics.step,
@@ -85,20 +78,27 @@ column::FlowOptions common(const Case& c, const dem::StepChoice& step) {
   o.grains = {.viscosity = c.liquid->viscosity,
               .density = mean(c.resin.density, c.beads.table.density),
               .bead_diameter = sizes.bead_sauter,
-              .diameter = sizes.grain,
-              .stiffness = stiffness_of(c, sizes.grain)};
+              .diameter = sizes.mean,
+              .stiffness = stiffness_of(c, sizes.mean)};
   return o;
 }
 
 }  // namespace
 
 column::CoupledOptions coupled_options(const Case& c) {
-  const double reach = std::max(reach_in_diameters * sizes_of(c).grain, c.column.mesh->cell);
+  const double reach = averaging_reach(c);
   column::CoupledOptions o;
   o.fluid.rho_f = c.liquid->density;
   o.fluid.mu_f = c.liquid->viscosity;
   o.fluid.gravity = {0.0, 0.0, c.numerics.gravity ? -gravity : 0.0};
   o.fluid.boundaries = boundaries_of(c.column.shape);
+  o.coupling.drag = drag_law(c.drag.law);
+  o.coupling.min_void_fraction = c.drag.min_void_fraction;
+  o.coupling.overlap = c.coupling.overlap == OverlapRuleName::merged ? coupling::OverlapRule::merged
+                                                                     : coupling::OverlapRule::full;
+  o.coupling.scheme = c.coupling.scheme == CouplingSchemeName::frozen_velocity
+                          ? coupling::Scheme::frozen_velocity
+                          : coupling::Scheme::frozen_flux;
   o.coupling.coarse_grain = c.resin.coarse_grain;
   o.coupling.rho_f = c.liquid->density;
   o.coupling.mu_f = c.liquid->viscosity;

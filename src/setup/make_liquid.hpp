@@ -11,11 +11,6 @@
 
 namespace packbed::setup {
 
-/// Longest time between exchanges of beads and liquid [s].
-inline constexpr double longest_coupling_interval = 4e-3;
-/// Of the averaging kernel: its reach over a mean grain diameter.
-inline constexpr double reach_in_diameters = 3.0;
-
 /// Of a case with a liquid.
 column::CoupledOptions coupled_options(const Case& c);
 

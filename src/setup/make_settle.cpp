@@ -83,7 +83,8 @@ double damping_rate(const Case& c) {
 
 bool makes_beads(const Case& c) {
   const auto* settle = first_settle(c.protocol);
-  return !c.beads.csv && (c.beads.count || (settle != nullptr && settle->bed_height));
+  return !c.beads.csv && !c.beads.run &&
+         (c.beads.count || (settle != nullptr && settle->bed_height));
 }
 
 bool settles_first(const Case& c) {

@@ -14,8 +14,8 @@ namespace {
 Case read_tables(const toml::table& table, Reading& reading) {
   Case c;
   Section top(reading, table, "", "");
-  for (const auto* key :
-       {"title", "column", "resin", "liquid", "beads", "protocol", "numerics", "output"}) {
+  for (const auto* key : {"title", "column", "resin", "liquid", "drag", "coupling", "beads",
+                          "protocol", "numerics", "output"}) {
     top.mention(key);
   }
   top.finish();  // before anything else: a misspelt section would look like a missing one
@@ -28,7 +28,12 @@ Case read_tables(const toml::table& table, Reading& reading) {
   c.resin = read_resin(top.table("resin"), reading.units, builtin_library(reading.units), c.beads,
                        c.column, top.has("liquid"));
   if (top.has("liquid")) c.liquid = read_liquid(top.table("liquid"));
+  for (const auto* key : {"drag", "coupling"}) {
+    if (top.has(key) && !top.has("liquid")) top.fail(key, "needs a [liquid] section");
+  }
+  if (top.has("liquid")) c.drag = read_drag(top.table("drag"));
   c.protocol = read_protocol(top.tables("protocol"), c.column, c.beads, c.liquid.has_value());
+  if (top.has("liquid")) c.coupling = read_coupling(top.table("coupling"), c);
   c.numerics = read_numerics(top.table("numerics"), c.protocol);
   c.output = read_output(top.table("output"), reading.file, reading.units);
   return c;

@@ -210,8 +210,9 @@ std::vector<ProtocolStep> read_protocol(std::vector<Section> sections,
                                         const ColumnOptions& column,
                                         const BeadOptions& beads,
                                         bool has_liquid) {
-  Context context{
-      .column = column, .has_liquid = has_liquid, .beads_are_counted = beads.csv || beads.count};
+  Context context{.column = column,
+                  .has_liquid = has_liquid,
+                  .beads_are_counted = beads.csv || beads.count || beads.run};
   std::vector<ProtocolStep> protocol;
   protocol.reserve(sections.size());
   for (auto& section : sections) protocol.push_back(read_step(std::move(section), context));

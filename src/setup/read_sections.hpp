@@ -23,6 +23,9 @@ ResinOptions read_resin(Section section,
                         const ColumnOptions& column,
                         bool has_liquid);
 LiquidOptions read_liquid(Section section);
+DragOptions read_drag(Section section);
+/// After all that says how wide cells, grains and periodic sides are.
+CouplingOptions read_coupling(Section section, const Case& c);
 /// Steps with a flow need `has_liquid`. The number of beads comes from [beads] or from the bed
 /// height of the first settling, never from both.
 std::vector<ProtocolStep> read_protocol(std::vector<Section> sections,

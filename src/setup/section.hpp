@@ -112,6 +112,8 @@ class Section {
   /// A file that exists, taken from the folder of the case, as messages should name it; the echo
   /// has its full path.
   std::optional<std::filesystem::path> optional_file(std::string_view key);
+  /// Likewise the folder of a run that has ended.
+  std::optional<std::filesystem::path> optional_run(std::string_view key);
 
   /// All keys that the table has.
   [[nodiscard]] std::vector<std::string> keys() const;
@@ -142,6 +144,7 @@ class Section {
  private:
   const toml::node* find(std::string_view key);
   [[nodiscard]] std::string place(const toml::node* node) const;
+  [[nodiscard]] std::optional<std::filesystem::path> path_at(std::string_view key);
   [[nodiscard]] std::string full(std::string_view key) const;
   [[nodiscard]] std::optional<std::string> quantity_text(std::string_view key,
                                                          Dimension dimension,

@@ -266,17 +266,34 @@ std::size_t Section::choice(std::string_view key,
   return static_cast<std::size_t>(found - names.begin());
 }
 
-std::optional<std::filesystem::path> Section::optional_file(std::string_view key) {
+std::optional<std::filesystem::path> Section::path_at(std::string_view key) {
   const auto* node = find(key);
   if (node == nullptr) return std::nullopt;
-  if (!node->is_string()) fail(key, "is refused; give the name of a file in quotes");
-  const auto path = (reading_->file.parent_path() / node->as_string()->get()).lexically_normal();
-  if (!std::filesystem::is_regular_file(path)) {
+  if (!node->is_string()) fail(key, "is refused; give its name in quotes");
+  return (reading_->file.parent_path() / node->as_string()->get()).lexically_normal();
+}
+
+std::optional<std::filesystem::path> Section::optional_file(std::string_view key) {
+  const auto path = path_at(key);
+  if (!path) return std::nullopt;
+  if (!std::filesystem::is_regular_file(*path)) {
     fail(key, fmt::format("is refused: there is no file {}; names are taken from the folder of the "
                           "case file",
-                          path.string()));
+                          path->string()));
   }
-  note_word(key, std::filesystem::absolute(path).string(), true, {});
+  note_word(key, std::filesystem::absolute(*path).string(), true, {});
+  return path;
+}
+
+std::optional<std::filesystem::path> Section::optional_run(std::string_view key) {
+  const auto path = path_at(key);
+  if (!path) return std::nullopt;
+  if (!std::filesystem::is_regular_file(*path / "summary.json")) {
+    fail(key, fmt::format("is refused: {} is not the folder of a run that has ended (it has no "
+                          "summary.json); names are taken from the folder of the case file",
+                          path->string()));
+  }
+  note_word(key, std::filesystem::absolute(*path).string(), true, {});
   return path;
 }
 

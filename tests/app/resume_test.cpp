@@ -51,18 +51,49 @@ frame_interval = "20 ms"
 beads_csv = true
 )";
 
+/// 60 grains that settle, in a flow that goes up in three plateaus and is then held.
+constexpr const char* bed_in_a_flow = R"(
+title = "A small bed in a flow"
+[column]
+shape = "slice"
+inner_diameter = "1.2 mm"
+slice_depth = "0.5 mm"
+height = "4 mm"
+[resin]
+name = "CM Sepharose 6FF"
+coarse_grain = 3
+[liquid]
+[beads]
+count = 60
+[[protocol]]
+step = "settle"
+[[protocol]]
+step = "flow_ramp"
+to = "600 cm/h"
+steps = 3
+hold = "60 ms"
+[[protocol]]
+step = "hold"
+duration = "60 ms"
+[output]
+checkpoint_interval = "20 ms"
+frame_interval = "40 ms"
+)";
+
 /// Every file of a run but those that tell of wall time.
 std::map<std::string, std::string> results(const fs::path& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const auto name = fs::relative(entry.path(), folder).string();
-    if (name == "report.html") continue;  // made of the other files; it tells the wall time
-    if (!entry.is_regular_file() || name == "run.log") continue;
+    if (name == "report.html") continue;  // made of the other files; it tells wall times
+    if (!entry.is_regular_file() || name == "run.log" || name == "checkpoints/timings.json")
+      continue;
     std::ifstream stream(entry.path(), std::ios::binary);
     files[name] = {std::istreambuf_iterator<char>(stream), {}};
   }
   auto summary = nlohmann::ordered_json::parse(files.at("summary.json"));
   summary.erase("wall_time_s");
+  summary.erase("timings");
   files["summary.json"] = summary.dump();
   return files;
 }
@@ -77,15 +108,16 @@ void expect_same(const fs::path& a, const fs::path& b, const std::set<std::strin
     ASSERT_TRUE(other.contains(name)) << name;
     EXPECT_TRUE(other.at(name) == content) << name;
   }
-  if (but.empty()) {
-    EXPECT_EQ(one.size(), other.size());
-  }
+  if (!but.empty()) return;
+  for (const auto& [name, content] : other) EXPECT_TRUE(one.contains(name)) << name;
 }
 
 class Resume : public testing::Test {
  protected:
+  explicit Resume(const char* text = small_bed) : text_(text) {}
+
   void SetUp() override {
-    case_ = folder_.file("bed.toml", small_bed);
+    case_ = folder_.file("bed.toml", text_);
     const auto begin = std::chrono::steady_clock::now();
     ASSERT_EQ(run("whole").code, 0);
     seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -129,6 +161,7 @@ class Resume : public testing::Test {
                                [](const auto& entry) { return entry.path().extension() == ".h5"; });
   }
 
+  const char* text_;
   test::TemporaryFolder folder_;
   fs::path case_;
   double seconds_ = 0.0;
@@ -146,6 +179,113 @@ TEST_F(Resume, AfterBeingKilledAtRandomInstantsGivesTheSameFiles) {
     ASSERT_EQ(last.code, 0) << last.err;
   }
   expect_same(in("whole"), in("killed"));
+}
+
+// Killed after the last checkpoint, before those before it were taken away.
+TEST_F(Resume, AtItsVeryEndTakesEarlierCheckpointsAway) {
+  ASSERT_EQ(stopped("end", "TERM", "-n 1").code, 4);
+  fs::copy(in("end") / "checkpoints", in("earlier"));
+  ASSERT_EQ(run("end", "--resume -n 1").code, 0);
+  const auto copied = fs::copy_options::skip_existing;
+  fs::copy(in("earlier"), in("end") / "checkpoints", copied);
+  fs::remove(in("end") / "summary.json");
+  ASSERT_EQ(run("end", "--resume -n 1").code, 0);
+  expect_same(in("whole"), in("end"));
+}
+
+class ResumeInAFlow : public Resume {
+ protected:
+  ResumeInAFlow() : Resume(bed_in_a_flow) {}
+};
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+nlohmann::json frames_in(const fs::path& list) {
+  return nlohmann::json::parse(text_of(list)).at("files");
+}
+
+TEST_F(ResumeInAFlow, AfterBeingKilledGivesTheSameFiles) {
+  std::string how = "--overwrite -n 1";
+  int resumed = 0;
+  for (int kill = 0; kill < 5 && !fs::exists(in("killed") / "summary.json"); ++kill) {
+    (void)killed("killed", (kill == 0 ? 0.8 : 0.3) * seconds_, how);
+    if (!has_checkpoint("killed")) continue;
+    how = "--resume -n 1";
+    ++resumed;
+  }
+  if (!fs::exists(in("killed") / "summary.json")) {
+    const auto last = run("killed", how);
+    ASSERT_EQ(last.code, 0) << last.err;
+  }
+  EXPECT_GT(resumed, 0);
+  expect_same(in("whole"), in("killed"));
+}
+
+TEST_F(ResumeInAFlow, TakesAwayWhatIsLaterThanTheCheckpoint) {
+  ASSERT_EQ(stopped("early", "TERM", "-n 1").code, 4);  // while it settles
+  ASSERT_FALSE(fs::exists(in("early") / "plateaus.csv"));
+  for (const auto* later :
+       {"plateaus.csv", "frames/liquid_000077.hdf", "frames/liquid.hdf.series"}) {
+    fs::copy_file(in("whole") / "plateaus.csv", in("early") / later);
+  }
+  std::ofstream(in("early") / "frames" / "liquid.hdf.series")
+      << R"({"files": [{"name": "liquid_000077.hdf", "time": 1}]})";
+  ASSERT_EQ(run("early", "--resume -n 1").code, 0);
+  expect_same(in("whole"), in("early"));
+}
+
+TEST_F(ResumeInAFlow, WritesPlateausProfilesAndFramesOfTheLiquid) {
+  const auto rows = text_of(in("whole") / "plateaus.csv");
+  EXPECT_EQ(std::ranges::count(rows, '\n'), 5);  // header, three plateaus, a hold
+  for (const auto* name : {"plateau_z_000001.csv", "plateau_x_000004.csv"}) {
+    EXPECT_TRUE(fs::exists(in("whole") / "profiles" / name)) << name;
+  }
+  // A frame of the liquid has the number and the time of that of the beads.
+  const auto beads = frames_in(in("whole") / "frames" / "beads.hdf.series");
+  const auto liquid = frames_in(in("whole") / "frames" / "liquid.hdf.series");
+  ASSERT_GT(liquid.size(), 3U);
+  ASSERT_GT(beads.size(), liquid.size());
+  for (std::size_t k = 0; k < liquid.size(); ++k) {
+    const auto& bead = beads[beads.size() - liquid.size() + k];
+    EXPECT_EQ("beads" + liquid[k]["name"].get<std::string>().substr(6), bead["name"]);
+    EXPECT_EQ(liquid[k]["time"], bead["time"]);
+    EXPECT_TRUE(fs::exists(in("whole") / "frames" / liquid[k]["name"].get<std::string>()));
+  }
+}
+
+TEST_F(ResumeInAFlow, TellsWhereTheTimeWent) {
+  const auto summary = nlohmann::json::parse(text_of(in("whole") / "summary.json"));
+  const auto& timings = summary.at("timings");
+  ASSERT_EQ(timings.size(), 3U);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto& t = timings[k];
+    EXPECT_EQ(t["stage"], k + 1);
+    EXPECT_EQ(t["liquid_s"].get<double>() > 0.0, k > 0);
+    EXPECT_EQ(t["coupling_s"].get<double>() > 0.0, k > 0);
+    EXPECT_GT(t["beads_s"], 0.0);
+    EXPECT_GT(t["outputs_s"], 0.0);
+    double parts = 0.0;
+    for (const auto* part : {"beads_s", "coupling_s", "liquid_s", "outputs_s"}) {
+      parts += t[part].get<double>();
+    }
+    EXPECT_LE(parts, t["wall_s"].get<double>() * (1.0 + 1e-9));
+    sum += t["wall_s"].get<double>();
+  }
+  EXPECT_EQ(timings[0]["name"], "settle");
+  EXPECT_LE(sum, summary["wall_time_s"].get<double>());
+  EXPECT_THAT(text_of(in("whole") / "run.log"), HasSubstr("stage 2 took "));
+
+  // What was spent before an interruption counts: more than the part after it took.
+  ASSERT_EQ(stopped("two", "TERM", "-n 1").code, 4);
+  const auto before = nlohmann::json::parse(text_of(in("two") / "checkpoints" / "timings.json"));
+  ASSERT_EQ(run("two", "--resume -n 1").code, 0);
+  const auto after = nlohmann::json::parse(text_of(in("two") / "summary.json")).at("timings");
+  EXPECT_GT(after[0]["wall_s"], before[0]["wall_s"]);
+  EXPECT_GT(before[0]["wall_s"], 0.0);
 }
 
 TEST_F(Resume, AfterASignalItTellsHowToGoOn) {

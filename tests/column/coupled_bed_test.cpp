@@ -202,17 +202,62 @@ TEST(FlowStage, GoesThroughItsPlateausAndTellsWhichWereNotSteady) {
   const double start = dem.time();
   stage.begin(dem);
   std::vector<double> drops;
+  std::vector<Plateau> plateaus;
   for (auto after = After::goes_on; after != After::end;) {
     after = stage.advance(dem);
+    const auto plateau = stage.finished_plateau();
+    EXPECT_EQ(plateau.has_value(), after != After::goes_on);
     if (after != After::goes_on) drops.push_back(bed.figures().pressure_drop);
+    if (plateau) plateaus.push_back(*plateau);
   }
   ASSERT_EQ(drops.size(), 3U);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(plateaus[k].end - plateaus[k].start, 0.05, 1e-9);
+    EXPECT_EQ(plateaus[k].start, k > 0 ? plateaus[k - 1].end : start);
+    EXPECT_GT(plateaus[k].noise.value(), 0.0);
+    EXPECT_LT(plateaus[k].noise.value(), 0.05);  // a small bed that still settles after a jump
+  }
   EXPECT_NEAR(drops[1] / drops[0], 2.0, 0.2);
   EXPECT_GT(drops[1], drops[0]);
   EXPECT_GT(drops[2], drops[1]);
   EXPECT_NEAR(dem.time() - start, 0.15, 1e-9);
   EXPECT_EQ(dem.options().inertia_scale, 100.0);
   EXPECT_NE(stage.result(dem).find("600 cm/h"), std::string::npos) << stage.result(dem);
+}
+
+// A stage that is saved within a plateau tells the same of it as one that was not interrupted.
+TEST(FlowStage, GoesOnWithinAPlateauWithTheSameNoise) {
+  auto dem = bed_at_rest(1.0);
+  auto bed = liquid();
+  FlowOptions o;
+  o.to = 300 * cm_h;
+  o.hold = 0.04;
+  o.hold_limit = 0.04;
+  o.interval = 1.0;
+  o.area = area;
+  o.coupling_interval = 2e-3;
+  o.inertia_scale = 100.0;
+  o.stepping = {.longest_step = 1.0, .fixed_step = {}};
+  FlowStage stage(o, bed);
+  stage.begin(dem);
+  for (int k = 0; k < 17; ++k) ASSERT_EQ(stage.advance(dem), After::goes_on);
+
+  dem::Dem resumed(dem.options(), dem.state(), dem::Dem::Lists::as_saved);
+  auto liquid_resumed = liquid();
+  liquid_resumed.load(bed.save(), resumed);
+  FlowStage other(o, liquid_resumed);
+  other.load(nlohmann::ordered_json::parse(stage.save().dump()));
+
+  while (stage.advance(dem) != After::end) {}
+  while (other.advance(resumed) != After::end) {}
+  const auto one = stage.finished_plateau();
+  const auto two = other.finished_plateau();
+  ASSERT_TRUE(one && two);
+  EXPECT_GT(one->noise.value(), 0.0);  // six samples, from 0.03 s on
+  EXPECT_EQ(one->noise, two->noise);
+  EXPECT_EQ(one->start, two->start);
+  EXPECT_EQ(one->end, two->end);
+  EXPECT_EQ(one->is_steady, two->is_steady);
 }
 
 }  // namespace

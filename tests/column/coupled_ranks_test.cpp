@@ -5,6 +5,8 @@
 #include <memory>
 
 #include "column/coupled_bed.hpp"
+#include "column/liquid_profiles.hpp"
+#include "tests/support/liquid_of.hpp"
 #include "tests/support/settling.hpp"
 
 namespace packbed::column {
@@ -41,6 +43,25 @@ struct Column {
   }
 };
 
+/// Profiles of equal fields are equal to the last bit.
+bool has_equal_profiles(const Ranks& ranks) {
+  const auto profiles = [](const mesh::ColumnShape& shape, const Ranks& of) {
+    const auto fluid = liquid_of(
+        shape, [](const Vec3& x) { return 0.4 + 30.0 * x.x + 20.0 * x.z; },
+        [](const Vec3& x) { return 1.0 - 3e4 * x.x * x.y + x.z; }, of);
+    auto bins = layer_profile(fluid);
+    const auto across = cross_profile(fluid, shape, {0.2e-3, 0.9e-3});
+    bins.insert(bins.end(), across.begin(), across.end());
+    return bins;
+  };
+  bool equal = true;
+  for (const mesh::ColumnShape& shape :
+       {mesh::ColumnShape(slice), mesh::ColumnShape(mesh::Cylinder{2e-3, 2e-3})}) {
+    equal = equal && profiles(shape, ranks) == profiles(shape, Ranks::alone());
+  }
+  return equal;
+}
+
 int check() {
   const auto mesh = std::make_shared<const mesh::ColumnMesh>(slice, mesh::cell_counts(slice, {}));
   const auto ranks = Ranks::all();
@@ -62,6 +83,7 @@ int check() {
     std::printf("%d ranks, %lld new shares: largest difference %.2g\n", ranks.size(),
                 static_cast<long long>(shared.dem.repartitions()), worst);
   }
+  if (!has_equal_profiles(ranks)) return 1;
   if (ranks.size() > 1 && shared.dem.repartitions() == 0) return 1;  // nothing was shared anew
   return worst < 1e-7 ? 0 : 1;  // tolerances of the solver, 1e-8, over 20 exchanges
 }

@@ -105,8 +105,9 @@ TEST(CheckpointFaults, AnotherFormatIsNamed) {
   seal(file, checkpoint_format + 1);
 
   EXPECT_THAT(message_of([&] { open(file); }),
-              HasSubstr("the checkpoint has format 3, written by packbed " + std::string(version) +
-                        "; packbed " + version + " reads format 2"));
+              HasSubstr("the checkpoint has format " + std::to_string(checkpoint_format + 1) +
+                        ", written by packbed " + version + "; packbed " + version +
+                        " reads format " + std::to_string(checkpoint_format)));
 }
 
 TEST(CheckpointFaults, ForeignFilesAreNamed) {

@@ -66,6 +66,35 @@ TEST(FrameSeries, GoesOnAfterACut) {
   EXPECT_EQ(read_text_file(series.list()), unbroken);
 }
 
+TEST(FrameSeries, MayLeaveNumbersOutAndGoOnAfterThem) {
+  const TemporaryFolder folder;
+  FrameSeries series(folder.path(), "liquid");
+  const auto add = [](FrameSeries& to, double time) {
+    write_text_file(to.next(), std::to_string(time));
+    to.add(time);
+  };
+  series.skip();
+  series.skip();
+  add(series, 0.2);
+  add(series, 0.3);
+  series.skip();
+  EXPECT_EQ(series.extent().frames, 2U);
+  EXPECT_EQ(series.extent().next_number, 5U);
+  const auto extent = series.extent();
+  add(series, 0.5);
+  const auto unbroken = read_text_file(series.list());
+  EXPECT_THAT(unbroken, HasSubstr("liquid_000005.hdf"));
+  EXPECT_THAT(unbroken, testing::Not(HasSubstr("liquid_000004.hdf")));
+
+  auto again = FrameSeries::resume(folder.path(), "liquid", extent);
+
+  EXPECT_THAT(again.times(), ElementsAre(0.2, 0.3));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "liquid_000005.hdf"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "liquid_000003.hdf"));
+  add(again, 0.5);
+  EXPECT_EQ(read_text_file(again.list()), unbroken);
+}
+
 TEST(FrameSeries, MayGoOnBeforeItsFirstFrame) {
   const TemporaryFolder folder;
   EXPECT_EQ(FrameSeries::resume(folder.path(), "beads", 0).size(), 0U);
@@ -87,6 +116,9 @@ TEST(FrameSeries, SaysWhyItCannotGoOn) {
   EXPECT_THAT(message(2), HasSubstr("beads_000000.hdf: this frame is missing"));
   static_cast<void>(folder.file("beads.hdf.series", "{\"files\": [{\"name\": 1}]}"));
   EXPECT_THAT(message(1), HasSubstr("beads.hdf.series: it is no list of frames"));
+  static_cast<void>(
+      folder.file("beads.hdf.series", "{\"files\": [{\"name\": \"x_1.hdf\", \"time\": 1}]}"));
+  EXPECT_THAT(message(1), HasSubstr("it is no list of frames (\"x_1.hdf\""));
 }
 
 }  // namespace

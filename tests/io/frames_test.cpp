@@ -195,6 +195,63 @@ TEST(Frames, HoldHexahedraOfALiquid) {
   EXPECT_EQ(found["field_data"]["step"]["values"], json::array({7}));
 }
 
+void expect_the_cells_of(const mesh::ColumnMesh& mesh, const json& found) {
+  const auto points = vectors(found["points"]);
+  const auto cells = static_cast<std::size_t>(mesh.cell_count());
+  ASSERT_EQ(found["cells"].size(), cells);
+  for (std::size_t c = 0; c < cells; ++c) {
+    const auto& cell = found["cells"][c];
+    ASSERT_EQ(cell["type"], 12);
+    std::vector<Vec3> p;
+    for (const auto& point : cell["points"]) p.push_back(points[point.get<std::size_t>()]);
+    ASSERT_EQ(p.size(), 8U);
+    const auto& section = mesh.section();
+    const double area = section.area[c % section.area.size()];
+    // Diagonals of the lower side turn to the upper side, above it.
+    const auto diagonals = cross(p[2] - p[0], p[3] - p[1]);
+    EXPECT_NEAR(0.5 * diagonals.z, area, 1e-9 * area);
+    for (std::size_t k = 0; k < 4; ++k) {
+      EXPECT_EQ(p[k + 4].x, p[k].x);
+      EXPECT_EQ(p[k + 4].y, p[k].y);
+      EXPECT_GT(p[k + 4].z, p[k].z);
+    }
+    const double middle = 0.5 * (p[0].z + p[4].z);
+    EXPECT_NEAR(middle, mesh.center(static_cast<std::int64_t>(c)).z, 1e-9 * mesh.top());
+    EXPECT_NEAR(0.5 * diagonals.z * (p[4].z - p[0].z), mesh.volume(static_cast<std::int64_t>(c)),
+                1e-9 * mesh.volume(static_cast<std::int64_t>(c)));
+  }
+}
+
+TEST(Frames, OfALiquidHoldTheCellsOfTheMesh) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "liquid_000003.hdf";
+  const std::array<mesh::ColumnShape, 2> shapes = {
+      mesh::Slice{.inner_diameter = 2e-3, .depth = 0.7e-3, .height = 1e-3},
+      mesh::Cylinder{.inner_diameter = 2e-3, .height = 1e-3}};
+  for (const auto& shape : shapes) {
+    const mesh::ColumnMesh mesh(shape, mesh::cell_counts(shape, {}));
+    std::vector<double> eps;
+    std::vector<Vec3> u;
+    for (std::int64_t c = 0; c < mesh.cell_count(); ++c) {
+      eps.push_back(0.001 * static_cast<double>(c));
+      u.push_back({static_cast<double>(c), 2.0, mesh.center(c).x});
+    }
+    write_liquid_frame(file,
+                       {.time = 0.3,
+                        .mesh = mesh,
+                        .cells = {{"void_fraction", std::span<const double>(eps)},
+                                  {"velocity_m_s", std::span<const Vec3>(u)}}},
+                       {.double_precision = true});
+
+    const auto found = read_by_vtk(file);
+
+    expect_the_cells_of(mesh, found);
+    EXPECT_EQ(found["cell_data"]["void_fraction"]["values"], json(eps));
+    EXPECT_EQ(vectors(found["cell_data"]["velocity_m_s"]["values"]), u);
+    EXPECT_EQ(found["field_data"]["time_s"]["values"], json::array({0.3}));
+  }
+}
+
 TEST(Frames, OfEqualDataHaveEqualBytes) {
   const TemporaryFolder folder;
   const Beads beads;

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "column/protocol/bed_look.hpp"
-#include "dem/inertia_scale.hpp"
+#include "fluid/figures.hpp"
 
 namespace packbed::column {
 namespace {
@@ -17,18 +17,25 @@ constexpr double looks_per_plateau = 0.2;  // or this share of a short plateau
 constexpr double usual_ramp = 0.1;         // to a plateau that is held until steady [s]
 constexpr double ramp_share = 0.5;         // of a plateau that is held for a time
 constexpr double cm_h = 0.01 / 3600.0;
+constexpr double rounding = 1e-9;
+
+double middle(double a, double b) { return 0.5 * (a + b); }
 
 /// Names and values of the state, in one place for both directions.
 template <class State, class Visit>
 void visit(State& s, Visit value) {
   value("plateau", s.plateau);
   value("started", s.started);
+  value("started_of_run", s.started_of_run);
   value("window_started", s.window_started);
   value("height", s.height);
   value("pressure_drop", s.pressure_drop);
   value("next_output", s.next_output);
   value("unsteady", s.unsteady);
   value("inertia_scale", s.inertia_scale);
+  value("interval", s.interval);
+  value("drop_times", s.drops.time);
+  value("drops", s.drops.value);
 }
 
 }  // namespace
@@ -48,35 +55,42 @@ double FlowStage::ramp_time() const {
 }
 
 void FlowStage::begin(dem::Dem& dem) {
+  const auto bed = dragged_bed(dem);
   state_.inertia_scale =
-      options_.inertia_scale ? *options_.inertia_scale : chosen_inertia_scale(dem);
+      options_.inertia_scale.value_or(bed ? dem::dragged_inertia_scale(*bed).scale : 1.0);
+  double interval = std::min(longest_interval, interval_of_plateau * options_.hold.value_or(1.0));
+  if (bed) interval = std::min(interval, interval_of_consolidation * dem::consolidation_time(*bed));
+  state_.interval = options_.coupling_interval.value_or(interval);
   dem.set_inertia_scale(state_.inertia_scale);
   if (!dem.particles().in_liquid) liquid_.start(dem);
   state_.next_output = dem.time() + options_.interval;
-  start_plateau();
+  start_plateau(dem);
 }
 
-// As far as a bed in a flow allows: overdamped in its lowest mode, loose beads fast against the flow.
-double FlowStage::chosen_inertia_scale(const dem::Dem& dem) const {
+// What the rules for inertia and exchanges ask for; nothing where there is no bed.
+std::optional<dem::DraggedBed> FlowStage::dragged_bed(const dem::Dem& dem) const {
   const auto& g = options_.grains;
   const auto bed = look_at_bed(dem, options_.area);
   const auto rest = rest_of(dem);
-  if (bed.height <= 0.0 || rest.coordination <= 0.0) return 1.0;
+  if (bed.height <= 0.0 || rest.coordination <= 0.0) return std::nullopt;
   const double phi = 1.0 - bed.porosity;
-  return dem::dragged_inertia_scale(
-             {.drag_rate =
-                  dem::kozeny_carman_drag_rate(phi, g.viscosity, g.bead_diameter, g.density),
-              .height = bed.height,
-              .modulus = dem::estimated_modulus(rest.coordination, phi, g.stiffness, g.diameter),
-              .bulk_density = phi * g.density,
-              .loose_drag_time =
-                  g.density * g.bead_diameter * g.bead_diameter / (18.0 * g.viscosity),
-              .flow_step = options_.hold.value_or(look_every)})
-      .scale;
+  const double drag_rate =
+      dem::kozeny_carman_drag_rate(phi, g.viscosity, g.bead_diameter, g.density);
+  const bool presses = options_.from >= 0.0 && options_.to >= 0.0;  // no bead leaves the bed
+  const double alone = g.density * g.bead_diameter * g.bead_diameter / (18.0 * g.viscosity);
+  return dem::DraggedBed{
+      .drag_rate = drag_rate,
+      .height = bed.height,
+      .modulus = dem::estimated_modulus(rest.coordination, phi, g.stiffness, g.diameter),
+      .bulk_density = phi * g.density,
+      .loose_drag_time = presses ? 1.0 / drag_rate : alone,
+      .flow_step = options_.hold.value_or(look_every)};
 }
 
-void FlowStage::start_plateau() {
+void FlowStage::start_plateau(const dem::Dem& dem) {
   state_.started = liquid_.time();
+  state_.started_of_run = dem.time();
+  state_.drops = {};
   state_.window_started = state_.started;
   state_.height = 0.0;
   set_flow();
@@ -96,11 +110,12 @@ void FlowStage::set_flow() {
 
 // An interval holds a whole number of steps of the beads, and ends where a plateau ends.
 After FlowStage::advance(dem::Dem& dem) {
+  finished_.reset();
   if (options_.hold && *options_.hold <= 0.0) return After::end;
   auto stepping = options_.stepping;
   stepping.longest_step *= std::sqrt(state_.inertia_scale);
   choose_step(stepping, dem);
-  double interval = options_.coupling_interval;
+  double interval = state_.interval;
   if (options_.hold) {
     const double left = state_.started + *options_.hold - liquid_.time();
     interval = left / std::max(1.0, std::ceil(left / interval - 1e-9));
@@ -110,25 +125,48 @@ After FlowStage::advance(dem::Dem& dem) {
   dem.set_step(interval / static_cast<double>(count));
   liquid_.advance(dem, count);
   dem.check_overlaps();
-  if (!plateau_is_over(dem)) {
+  watch_drop();
+  const auto look = look_at_plateau(dem);
+  if (!look.is_over) {
     return output_is_due(dem.time(), options_.interval, state_.next_output) ? After::output
                                                                             : After::goes_on;
   }
-  ++state_.plateau;
+  end_plateau(dem, look.is_steady);
   if (state_.plateau >= options_.steps) return After::end;
-  start_plateau();
+  start_plateau(dem);
   return After::output;
 }
 
-bool FlowStage::plateau_is_over(const dem::Dem& dem) {
+// Of a plateau whose end is known the second half of its constant part counts; else its end may come at once.
+void FlowStage::watch_drop() {
+  const double past = liquid_.time() - state_.started;
+  const double constant = ramp_time();
+  const double from = options_.hold ? middle(constant, *options_.hold) : constant;
+  if (past >= from * (1.0 - rounding))
+    state_.drops.add(past, fluid::pressure_drop(liquid_.fluid()));
+}
+
+void FlowStage::end_plateau(const dem::Dem& dem, bool is_steady) {
+  const double past = liquid_.time() - state_.started;
+  const double from = middle(ramp_time(), past) * (1.0 - rounding);
+  const bool flows = velocity(state_.plateau) != 0.0;
+  finished_ = {.start = state_.started_of_run,
+               .end = dem.time(),
+               .noise = flows ? pressure_noise(state_.drops, from) : std::nullopt,
+               .is_steady = is_steady};
+  if (!is_steady) ++state_.unsteady;
+  ++state_.plateau;
+}
+
+FlowStage::Look FlowStage::look_at_plateau(const dem::Dem& dem) {
   const double past = liquid_.time() - state_.started;
   const double limit = options_.hold.value_or(options_.hold_limit);
-  const bool is_late = past >= limit * (1.0 - 1e-9);
+  const bool is_late = past >= limit * (1.0 - rounding);
   const double look = std::min(look_every, looks_per_plateau * limit);
-  const bool may_look = liquid_.time() - state_.window_started >= look * (1.0 - 1e-9) || is_late;
+  const bool may_look =
+      liquid_.time() - state_.window_started >= look * (1.0 - rounding) || is_late;
   const bool is_steady = may_look && past > ramp_time() && looks_steady(dem);
-  if (is_late && !is_steady) ++state_.unsteady;
-  return is_late || (is_steady && !options_.hold);
+  return {.is_over = is_late || (is_steady && !options_.hold), .is_steady = is_steady};
 }
 
 // Compares with the last look.
@@ -164,9 +202,14 @@ std::string FlowStage::result(const dem::Dem& dem) const {
   const double height = look_at_bed(dem, options_.area).height;
   auto text = fmt::format(
       "{:.4g} cm/h, pressure drop {:.5g} bar ({:.4g} bar/m), bed height {:.4f} mm, inertia scale "
-      "{:.4g}",
+      "{:.4g}, exchanges every {:.3g} ms",
       f.superficial_velocity / cm_h, 1e-5 * f.pressure_drop,
-      height > 0.0 ? 1e-5 * f.pressure_drop / height : 0.0, 1e3 * height, state_.inertia_scale);
+      height > 0.0 ? 1e-5 * f.pressure_drop / height : 0.0, 1e3 * height, state_.inertia_scale,
+      1e3 * state_.interval);
+  if (liquid_.options().coupling.overlap == coupling::OverlapRule::merged) {
+    text += fmt::format("; {} pairs of contacts of a bead take the same part of it",
+                        dem.meeting_lenses());
+  }
   if (state_.unsteady > 0) {
     text += fmt::format("; {} of {} plateaus were not steady at their end", state_.unsteady,
                         options_.steps);

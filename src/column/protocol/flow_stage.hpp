@@ -9,21 +9,23 @@
 #include "column/coupled_bed.hpp"
 #include "column/protocol/stage.hpp"
 #include "column/protocol/stepping.hpp"
+#include "dem/inertia_scale.hpp"
 
 namespace packbed::column {
 
 /// A flow that goes from one velocity to another in equal steps, or stays as it is.
 struct FlowOptions {
-  std::string name = "flow_ramp";       ///< of the protocol step
-  double from = 0.0;                    ///< superficial velocity, downwards [m/s]
-  double to = 0.0;                      ///< [m/s]
-  std::int64_t steps = 1;               ///< plateaus
-  std::optional<double> hold;           ///< time of each [s]; none: until steady
-  double hold_limit = 0.0;              ///< longest time of a plateau [s]
-  bool ramps = true;                    ///< to the next plateau in a linear ramp; else in a jump
-  double interval = 0.0;                ///< between rows of the outputs [s]
-  double area = 0.0;                    ///< cross-section of the bed [m2]
-  double coupling_interval = 0.0;       ///< longest time between exchanges of beads and liquid [s]
+  std::string name = "flow_ramp";  ///< of the protocol step
+  double from = 0.0;               ///< superficial velocity, downwards [m/s]
+  double to = 0.0;                 ///< [m/s]
+  std::int64_t steps = 1;          ///< plateaus
+  std::optional<double> hold;      ///< time of each [s]; none: until steady
+  double hold_limit = 0.0;         ///< longest time of a plateau [s]
+  bool ramps = true;               ///< to the next plateau in a linear ramp; else in a jump
+  double interval = 0.0;           ///< between rows of the outputs [s]
+  double area = 0.0;               ///< cross-section of the bed [m2]
+  std::optional<double>
+      coupling_interval;                ///< longest time between exchanges [s]; none: by the rule
   std::optional<double> inertia_scale;  ///< none: as far as the rule for beds in a flow goes
   SteppingOptions stepping{};           ///< at an inertia scale of 1
   /// What the rule asks for besides the bed itself.
@@ -40,13 +42,16 @@ struct FlowOptions {
 /// All that a flow stage remembers.
 struct FlowState {
   std::int64_t plateau = 0;     ///< that is under way, from 0
-  double started = 0.0;         ///< when it began [s]
+  double started = 0.0;         ///< when it began, by the time of the liquid [s]
+  double started_of_run = 0.0;  ///< by that of the beads [s]
   double window_started = 0.0;  ///< the last look at how steady it is [s]
   double height = 0.0;          ///< of the bed then [m]
   double pressure_drop = 0.0;   ///< then [Pa]
   double next_output = 0.0;     ///< [s]
   std::int64_t unsteady = 0;    ///< plateaus that were not steady when their time was over
   double inertia_scale = 1.0;
+  double interval = 0.0;  ///< longest time between exchanges of beads and liquid [s]
+  Samples drops;  ///< pressure drop while the velocity stays [Pa], as far back as noise may want it
 };
 
 /// The steps "flow_ramp" and "hold": an interval of coupling per slice. A plateau is steady when bed height
@@ -58,6 +63,7 @@ class FlowStage : public Stage {
   [[nodiscard]] std::string_view name() const override { return options_.name; }
   void begin(dem::Dem& dem) override;
   After advance(dem::Dem& dem) override;
+  [[nodiscard]] std::optional<Plateau> finished_plateau() const override { return finished_; }
   [[nodiscard]] double share_done(const dem::Dem& dem) const override;
   [[nodiscard]] std::string doing() const override;
   [[nodiscard]] std::string result(const dem::Dem& dem) const override;
@@ -67,16 +73,29 @@ class FlowStage : public Stage {
  private:
   [[nodiscard]] double velocity(std::int64_t plateau) const;
   [[nodiscard]] double ramp_time() const;
-  [[nodiscard]] double chosen_inertia_scale(const dem::Dem& dem) const;
-  void start_plateau();
+  [[nodiscard]] std::optional<dem::DraggedBed> dragged_bed(const dem::Dem& dem) const;
+  void start_plateau(const dem::Dem& dem);
+  void end_plateau(const dem::Dem& dem, bool is_steady);
+  void watch_drop();
   void set_flow();
   [[nodiscard]] bool looks_steady(const dem::Dem& dem);
-  [[nodiscard]] bool plateau_is_over(const dem::Dem& dem);
+  struct Look {
+    bool is_over = false;
+    bool is_steady = false;
+  };
+  [[nodiscard]] Look look_at_plateau(const dem::Dem& dem);
 
   FlowOptions options_;
   CoupledBed& liquid_;
   FlowState state_;
+  std::optional<Plateau> finished_;  ///< with the last slice
 };
+
+/// The rule for the time between exchanges of beads and liquid: at most this, and shares of the time in which
+/// the bed consolidates and of a plateau.
+inline constexpr double longest_interval = 5e-3;  // [s]
+inline constexpr double interval_of_consolidation = 0.25;
+inline constexpr double interval_of_plateau = 0.05;
 
 /// Relative change per second of pressure drop, and of bed height, below which a plateau counts as steady.
 inline constexpr double steady_rate = 0.02;

@@ -6,11 +6,13 @@
 /// write outputs and checkpoints between two slices and go on from there with the same bits.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
 
+#include "column/protocol/plateau.hpp"
 #include "dem/dem.hpp"
 
 namespace packbed::column {
@@ -37,6 +39,8 @@ class Stage {
   /// A slice: a number of time steps that depends on nothing but the state. All ranks call it.
   /// Throws DivergenceError, and ConfigError where the target of a stage cannot be reached.
   virtual After advance(dem::Dem& dem) = 0;
+  /// The plateau that ended with the last slice, if one did.
+  [[nodiscard]] virtual std::optional<Plateau> finished_plateau() const { return {}; }
   /// Share of the stage that is done, from 0 to 1, as far as it can be told: for progress lines.
   [[nodiscard]] virtual double share_done(const dem::Dem& dem) const = 0;
   /// What it is doing, for progress lines: "falling".
