@@ -10,6 +10,7 @@
 
 #include "core/file.hpp"
 #include "tests/support/run_program.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace packbed {
 namespace {
@@ -33,14 +34,10 @@ coarse_grain = {}
 class BedOfARun : public testing::Test {
  protected:
   void SetUp() override {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     write("settle.toml",
           text("1.2 mm", 3) + "[beads]\ncount = 40\n[[protocol]]\nstep = \"settle\"\n");
     ASSERT_EQ(run_packbed("run settle.toml -n 1 -o settled", folder_).code, 0);
   }
-  void TearDown() override { fs::remove_all(folder_); }
-
   static std::string text(const char* diameter, int coarse_grain) {
     return fmt::format(fmt::runtime(column), diameter, coarse_grain);
   }
@@ -51,7 +48,8 @@ class BedOfARun : public testing::Test {
     return nlohmann::json::parse(read_text_file(folder_ / run / "summary.json"));
   }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / "bed_of_a_run";
+  test::TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path();
 };
 
 const std::string taken = "[beads]\nrun = \"settled\"\n";
