@@ -59,9 +59,7 @@ bool Settle::advance(dem::Dem& dem) {
       after_densify(dem);
       break;
     case SettlePhase::submerge:
-      if (is_at_rest(options_.unbalanced_limit) && rest_.speed < options_.speed_limit) {
-        after_submerge(dem);
-      }
+      if (rests_for_good(dem)) after_submerge(dem);
       break;
     default:
       break;
@@ -139,12 +137,14 @@ void Settle::look(const dem::Dem& dem) {
   state_.unbalanced = rest_.unbalanced;
   state_.coordination = rest_.coordination;
   state_.max_overlap = rest_.max_overlap;
+  state_.speed = rest_.speed;
 }
 
 void Settle::enter(SettlePhase phase, const dem::Dem& dem) {
   state_.phase = phase;
   state_.phase_slices = 0;
   state_.phase_start = dem.time();
+  state_.resting_since = -1.0;
 }
 
 void Settle::enter_rest(SettlePhase phase, dem::Dem& dem) {
@@ -159,6 +159,18 @@ bool Settle::has_landed(const dem::Dem& dem) const {
   const double time = falling_time(bed_.mean_diameter, options_.gravity, dem);
   const double speed = bed_.mean_diameter / time;
   return dem.time() - state_.phase_start > time && rest_.fastest < landed_speed * speed;
+}
+
+// A bead on two others may roll through its saddle for ever, ever slower; it bears nothing.
+bool Settle::rests_for_good(const dem::Dem& dem) {
+  if (!is_at_rest(options_.unbalanced_limit)) {
+    state_.resting_since = -1.0;
+    return false;
+  }
+  if (rest_.speed < options_.speed_limit) return true;
+  if (state_.resting_since < 0.0) state_.resting_since = dem.time();
+  return dem.time() - state_.resting_since >
+         options_.patience * falling_time(bed_.mean_diameter, options_.gravity, dem);
 }
 
 bool Settle::is_at_rest(double unbalanced) const {

@@ -50,8 +50,10 @@ struct SettleOptions {
   std::optional<double> rest_damping;
   double damping_after = 0.0;  ///< rate that is set in the end; 0: none [1/s]
   double rest_limit = 1e-5;    ///< unbalanced / contact force at which a dry bed counts as at rest
-  double unbalanced_limit = 1e-6;    ///< of the bed at rest in the end: unbalanced / contact force
-  double speed_limit = 1e-6;         ///< of its fastest bead, rattlers too [m/s]
+  double unbalanced_limit = 1e-6;  ///< of the bed at rest in the end: unbalanced / contact force
+  double speed_limit = 1e-6;       ///< of its fastest bead, rattlers too [m/s]
+  /// Falling times for which a bed without unbalanced forces waits for a bead that still rolls between others.
+  double patience = 10.0;
   std::int64_t slice = 500;          ///< time steps
   std::int64_t most_slices = 20000;  ///< of a phase, before it is given up
 };
@@ -82,6 +84,9 @@ struct SettleState {
   double unbalanced = 1.0;
   double coordination = 0.0;
   double max_overlap = 0.0;
+  double speed = 0.0;  ///< of the fastest bead [m/s]
+  double resting_since =
+      -1.0;  ///< time from which on all but its speed counts as rest [s]; < 0: not yet
   double height_before = 0.0;    ///< one slice earlier [m]
   double porosity_before = 1.0;  ///< likewise
 };
@@ -112,6 +117,7 @@ class Settle {
   void after_rest(dem::Dem& dem);
   void after_densify(dem::Dem& dem);
   void after_submerge(dem::Dem& dem);
+  [[nodiscard]] bool rests_for_good(const dem::Dem& dem);
   void loosen(dem::Dem& dem);
   void set_looseness(double looseness, dem::Dem& dem);
   void fall_again(dem::Dem& dem);

@@ -26,6 +26,8 @@ void visit(State& s, Visit value) {
   value("porosity", s.porosity);
   value("unbalanced", s.unbalanced);
   value("coordination", s.coordination);
+  value("speed", s.speed);
+  value("resting_since", s.resting_since);
   value("max_overlap", s.max_overlap);
   value("height_before", s.height_before);
   value("porosity_before", s.porosity_before);
@@ -77,12 +79,16 @@ std::string SettleStage::doing() const { return column::name(settle_.state().pha
 
 std::string SettleStage::result(const dem::Dem& dem) const {
   const auto& s = settle_.state();
-  return fmt::format(
+  auto text = fmt::format(
       "{} beads, height {:.4f} mm, porosity {:.4f} of the middle half, coordination number {:.3f}, "
       "unbalanced / contact force {:.2g}, settled at friction {:.4g}, {} changes of the number of "
       "beads",
       dem.bead_count(), 1e3 * s.bed_height, s.porosity, s.coordination, s.unbalanced, s.friction,
       s.count_changes);
+  if (s.speed > settle_.options().speed_limit) {
+    text += fmt::format("; one between others still rolls, at {:.2g} m/s", s.speed);
+  }
+  return text;
 }
 
 nlohmann::ordered_json SettleStage::save() const {
