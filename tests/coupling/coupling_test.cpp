@@ -187,6 +187,7 @@ TEST(Coupling, LetsASuspensionSettleAtTheHinderedSpeed) {
   auto set = suspension(9);
   auto coupling = set.coupling(options_of(1.2e-3));
   const double interval = 2e-3;
+  set.dem.set_step(interval / 20);
   double speed = 0.0;
   double phi = 0.0;
   BedFields bed = coupling.bed(set.dem, set.mesh, 0.0);
@@ -198,7 +199,7 @@ TEST(Coupling, LetsASuspensionSettleAtTheHinderedSpeed) {
       grad_p.push_back(-(bed.exchange[c] / bed.eps[c]) * (velocity[c] - bed.u_solid[c]));
     }
     coupling.pull({velocity, grad_p}, set.dem);
-    set.dem.run(200);
+    set.dem.run(20);
     bed = coupling.bed(set.dem, set.mesh, interval);
     speed = -bed.u_solid[0].z;
     phi = 1.0 - bed.eps[0];
