@@ -1,9 +1,10 @@
 #!/usr/bin/python3
-"""Draw a frame of a run: grains colored by their number of contacts, and the chains of forces.
+"""Draw a frame of a run: grains colored by their number of contacts, the chains of forces, and the flow if there is one.
 
 Usage: render_frames.py FRAMES NUMBER PICTURE.png    (Debian: python3-vtk9; without a screen: xvfb-run -a)
 """
 import math
+import os
 import sys
 
 import vtk
@@ -19,7 +20,7 @@ def read(name):
 def text(words, x, y):
     actor = vtk.vtkTextActor()
     actor.SetInput(words)
-    actor.GetTextProperty().SetFontSize(18)
+    actor.GetTextProperty().SetFontSize(15)
     actor.GetTextProperty().SetColor(0.1, 0.1, 0.1)
     actor.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
     actor.SetPosition(x, y)
@@ -80,21 +81,70 @@ def chains(grid, thickest):
     return actor
 
 
+def flow(grid, top):
+    """Cells up to a height, colored by the velocity between the beads, and the legend."""
+    velocity = grid.GetCellData().GetArray("velocity_m_s")
+    speed = vtk.vtkDoubleArray()
+    speed.SetName("mm/s")
+    for k in range(grid.GetNumberOfCells()):
+        speed.InsertNextValue(1e3 * math.hypot(*velocity.GetTuple3(k)))
+    grid.GetCellData().AddArray(speed)
+    cut = vtk.vtkExtractGeometry()
+    box = vtk.vtkBox()
+    low, high = grid.GetBounds()[::2], grid.GetBounds()[1::2]
+    box.SetBounds(low[0] - top, high[0] + top, low[1] - top, high[1] + top, low[2] - top, top)
+    cut.SetInputData(grid)
+    cut.SetImplicitFunction(box)
+    colors = vtk.vtkColorTransferFunction()
+    largest = speed.GetRange()[1]
+    for share, rgb in ((0, (0.97, 0.98, 1.0)), (0.5, (0.42, 0.68, 0.84)), (1, (0.03, 0.19, 0.42))):
+        colors.AddRGBPoint(share * largest, *rgb)
+    mapper = vtk.vtkDataSetMapper()
+    mapper.SetInputConnection(cut.GetOutputPort())
+    mapper.SetScalarModeToUseCellFieldData()
+    mapper.SelectColorArray("mm/s")
+    mapper.SetLookupTable(colors)
+    mapper.SetScalarRange(0, largest)
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    bar = vtk.vtkScalarBarActor()
+    bar.SetLookupTable(colors)
+    bar.SetTitle("mm/s")
+    bar.SetNumberOfLabels(4)
+    bar.SetLabelFormat("%.3g")
+    bar.SetPosition(0.86, 0.3)
+    bar.SetWidth(0.1)
+    bar.SetHeight(0.4)
+    bar.UnconstrainedFontSizeOn()
+    for letters in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
+        letters.SetColor(0.1, 0.1, 0.1)
+        letters.SetFontSize(14)
+        letters.ShadowOff()
+        letters.ItalicOff()
+        letters.BoldOff()
+    return actor, bar
+
+
 def main(folder, number, picture):
     bed = read(f"{folder}/beads_{int(number):06}.hdf")
     contacts = read(f"{folder}/contacts_{int(number):06}.hdf")
     x0, x1, y0, y1, z0, z1 = bed.GetBounds()
     thickest = 0.09e-3
-    views = ((beads(bed), "grains, colored by their contacts (2 to 9)"), (chains(contacts, thickest), "normal forces of the contacts"))
+    views = [((beads(bed),), "grains, colored by their contacts (2 to 9)"),
+             ((chains(contacts, thickest),), "normal forces of the contacts")]
+    liquid = f"{folder}/liquid_{int(number):06}.hdf"
+    if os.path.exists(liquid):
+        views.append((flow(read(liquid), z1), "velocity of the liquid between the grains"))
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
-    window.SetSize(1000, 750)
-    for k, (actor, words) in enumerate(views):
+    window.SetSize(400 * len(views), 620)
+    for k, (actors, words) in enumerate(views):
         renderer = vtk.vtkRenderer()
-        renderer.SetViewport(0.5 * k, 0, 0.5 * (k + 1), 1)
+        renderer.SetViewport(k / len(views), 0, (k + 1) / len(views), 1)
         renderer.SetBackground(1, 1, 1)
-        renderer.AddActor(actor)
+        for actor in actors:
+            renderer.AddViewProp(actor)
         renderer.AddActor2D(text(words, 0.08, 0.02))
         camera = renderer.GetActiveCamera()
         camera.ParallelProjectionOn()
