@@ -8,21 +8,21 @@
 namespace packbed::column {
 namespace {
 
-/// A line that rises from 100 at t = 1 s, up and down around it by turns.
+/// A bow that rises from 100 at t = 1 s, up and down around it by turns.
 Samples restless(std::size_t count, double rest) {
   Samples s;
   for (std::size_t k = 0; k < count; ++k) {
     const double t = 1.0 + 0.01 * static_cast<double>(k);
-    s.add(t, 100.0 + 30.0 * (t - 1.0) + (k % 2 == 0 ? rest : -rest));
+    s.add(t, 100.0 + 30.0 * (t - 1.0) - 20.0 * (t - 1.0) * (t - 1.0) + (k % 2 == 0 ? rest : -rest));
   }
   return s;
 }
 
-TEST(PressureNoise, IsWhatALineLeaves) {
+TEST(PressureNoise, IsWhatAParabolaLeaves) {
   EXPECT_NEAR(pressure_noise(restless(100, 0.0), 0.0).value(), 0.0, 1e-14);
-  // Alternating values correlate with a line by 1 / n only.
-  const double mean = 100.0 + 30.0 * 0.01 * 99.0 / 2.0;
-  EXPECT_NEAR(pressure_noise(restless(100, 0.5), 0.0).value(), 0.5 * std::sqrt(100.0 / 98.0) / mean,
+  // Alternating values correlate with a parabola by 1 / n only.
+  const double mean = 100.0 + 30.0 * 0.01 * 99.0 / 2.0 - 20.0 * 1e-4 * 99.0 * 199.0 / 6.0;
+  EXPECT_NEAR(pressure_noise(restless(100, 0.5), 0.0).value(), 0.5 * std::sqrt(100.0 / 97.0) / mean,
               1e-3 * 0.5 / mean);
 }
 
