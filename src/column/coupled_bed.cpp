@@ -99,7 +99,7 @@ LiquidFigures CoupledBed::figures() const {
   for (std::size_t k = 0; k < 7; ++k) sums[k] = order_independent_sum(terms[k], ranks_);
   const double p_in = sums[0] > 0.0 ? sums[1] / sums[0] : 0.0;
   const double p_out = sums[3] > 0.0 ? sums[4] / sums[3] : 0.0;
-  return {.superficial_velocity = sums[0] > 0.0 ? -sums[2] / sums[0] : 0.0,
+  return {.superficial_velocity = sums[0] > 0.0 ? 0.0 - sums[2] / sums[0] : 0.0,  // no "-0"
           .pressure_drop = p_in - p_out,
           .pressure_force = sums[1] - sums[4],
           .wall_shear = sums[6],
