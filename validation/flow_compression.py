@@ -31,6 +31,12 @@ to = "2763 cm/h"
 steps = 20
 hold = "0.8 s"
 """
+# Plateaus of 0.8 s near full flow are not steady: the compressed bed consolidates in some 0.5 s.
+HOLD = """
+[[protocol]]
+step = "hold"
+duration = "3 s"
+"""
 BACK = """
 [[protocol]]
 step = "flow_ramp"
@@ -41,17 +47,17 @@ hold = "0.8 s"
 """
 HERTZ = 'contact = "hertz"\nyoungs_modulus = "5.53 MPa"'  # thesis fig. 8.1
 
-# Name: porosity of the settled bed (none: as it settles), keys of [resin], further sections, steps.
+# Name: porosity of the settled bed (none: as it settles), keys of [resin], further sections, further steps.
 PIECES = {
-    "porosity-0.38": (0.38, "", "", RAMP),
-    "porosity-0.39": (0.39, "", "", RAMP + BACK),
-    "porosity-0.40": (None, "", "", RAMP),
-    "merged": (0.39, "", '[coupling]\noverlap = "merged"', RAMP),
-    "clamp-0.40": (0.39, "", "[drag]\nmin_void_fraction = 0.40", RAMP),
-    "width-half": (0.39, "", '[coupling]\naveraging_width = "0.395 mm"', RAMP),
-    "width-twice": (0.39, "", '[coupling]\naveraging_width = "1.57 mm"', RAMP),
-    "hertz": (0.39, HERTZ, "", RAMP),
-    "hertz-0.38": (0.38, HERTZ, "", RAMP),
+    "porosity-0.38": (0.38, "", "", ""),
+    "porosity-0.39": (0.39, "", "", BACK),
+    "porosity-0.40": (None, "", "", ""),
+    "merged": (0.39, "", '[coupling]\noverlap = "merged"', ""),
+    "clamp-0.40": (0.39, "", "[drag]\nmin_void_fraction = 0.40", ""),
+    "width-half": (0.39, "", '[coupling]\naveraging_width = "0.395 mm"', ""),
+    "width-twice": (0.39, "", '[coupling]\naveraging_width = "1.57 mm"', ""),
+    "hertz": (0.39, HERTZ, "", ""),
+    "hertz-0.38": (0.38, HERTZ, "", ""),
 }
 LAB_GRADIENT = 37.0  # at 2763 cm/h [bar/m]
 LAB_COMPRESSION = 0.12  # about
@@ -69,7 +75,7 @@ def run_piece(piece):
     porosity, resin, more, steps = PIECES[piece]
     start = bed(porosity)
     folder = WORK / "runs" / piece
-    runs.run(COLUMN.format(resin=resin) + more + f'\n[beads]\nrun = "{start}"\n' + steps, folder)
+    runs.run(COLUMN.format(resin=resin) + more + f'\n[beads]\nrun = "{start}"\n' + RAMP + HOLD + steps, folder)
     runs.print_plateaus(folder)
 
 
@@ -81,11 +87,11 @@ def judge(tables):
               f"{float(top['pressure_drop_bar_m']):.3g} bar/m (lab {LAB_GRADIENT:g}), compression "
               f"{float(top['compression']):.4f} (lab about {LAB_COMPRESSION:g}); sections from the inlet "
               + " ".join(f"{float(top[f'section_{k}']):.3f}" for k in range(1, 8)))
-        loaded = [r for r in table if float(r["velocity_cm_h"]) > 100]
-        good &= runs.line(f"{piece}, largest error of the balance of forces",
-                          max(abs(float(r["budget_error"])) for r in loaded), 0, 5e-3, "aim: below 0.5 %")
-        good &= runs.line(f"{piece}, largest noise of the pressure drop",
-                          max(float(r["pressure_noise"]) for r in loaded), 0, 1e-3, "aim: below 0.1 %")
+        steady = [r for r in table if r["steady"] == "1"] or table
+        good &= runs.line(f"{piece}, largest error of the balance of forces on steady plateaus",
+                          max(abs(float(r["budget_error"])) for r in steady), 0, 5e-3, "aim: below 0.5 %")
+        good &= runs.line(f"{piece}, largest noise of the pressure drop on them",
+                          max(float(r["pressure_noise"]) for r in steady), 0, 1e-3, "aim: below 0.1 %")
         good &= runs.line(f"{piece}, compression of the last section over the first",
                           float(top["section_7"]) / float(top["section_1"]), 1, 1e3, "lab: rises towards the outlet")
     return good

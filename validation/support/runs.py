@@ -52,7 +52,9 @@ def print_plateaus(folder):
 
 
 def at_highest_flow(table):
-    return max(table, key=lambda r: float(r["velocity_cm_h"]))
+    """The last plateau at the highest velocity."""
+    highest = max(float(r["velocity_cm_h"]) for r in table)
+    return [r for r in table if float(r["velocity_cm_h"]) > highest - 1e-6][-1]
 
 
 def line(what, value, low, high, reference):
