@@ -39,8 +39,10 @@ TEST_F(Csv, TakesByteOrderMarkCrLfBlankLinesAndComments) {
 }
 
 TEST_F(Csv, NamesTheLineOfABadRow) {
-  EXPECT_THAT(refusal("a,b\n1,2\n1,2,3\n"),
-              EndsWith("data.csv:3: cells in this row: 3, in the header: 2; decimals need points, not commas"));
+  EXPECT_THAT(
+      refusal("a,b\n1,2\n1,2,3\n"),
+      EndsWith(
+          "data.csv:3: cells in this row: 3, in the header: 2; decimals need points, not commas"));
 }
 
 TEST_F(Csv, RefusesOtherSeparatorsSayingWhich) {

@@ -83,7 +83,9 @@ TEST(Drag, StaysWithItsBeadWhenBeadsAreOrderedAnew) {
   for (int k = 0; k < 50; ++k) beads.push_back(bead(k, {k % 5 * 1e-4, k / 5 * 1e-4, 0}));
   Dem dem(options(hooke(0.5), 1e-6), beads, {});
   dem.set_in_liquid(true);
-  const auto speed_of = [](std::int64_t id) { return Vec3{0.1 * static_cast<double>(id), 0, 0.05}; };
+  const auto speed_of = [](std::int64_t id) {
+    return Vec3{0.1 * static_cast<double>(id), 0, 0.05};
+  };
   for (std::size_t i = 0; i < 50; ++i) {
     dem.drag()[i] = {speed_of(dem.particles().properties[i].id), 1.0};
   }

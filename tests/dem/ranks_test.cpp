@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The same bits on any number of ranks. Run under mpiexec; every rank also runs the bed alone.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cmath>
 #include <cstring>
 #include <memory>
 #include <string>
