@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/liquid_file.hpp"
 
+#include <tuple>
+#include <utility>
+
+#include "core/sorted_shares.hpp"
+
 namespace packbed::app {
 namespace {
 
@@ -15,7 +20,13 @@ Vec3 vec3_at(const double* v) { return {v[0], v[1], v[2]}; }
 
 }  // namespace
 
-void write_fluid_state(io::CheckpointWriter& writer, const fluid::FluidState& share) {
+void write_fluid_state(io::CheckpointWriter& writer, const fluid::FluidState& state) {
+  auto share = state;
+  share.cells = sorted_shares(
+      std::move(share.cells), [](const auto& c) { return std::tuple(c.cell); }, Ranks::all());
+  share.faces = sorted_shares(
+      std::move(share.faces), [](const auto& f) { return std::tuple(f.face, f.owner); },
+      Ranks::all());
   std::vector<std::int64_t> cells;
   std::vector<double> values;
   for (const auto& c : share.cells) {

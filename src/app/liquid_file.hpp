@@ -10,8 +10,8 @@
 
 namespace packbed::app {
 
-/// Collective. `share`: that of this rank.
-void write_fluid_state(io::CheckpointWriter& writer, const fluid::FluidState& share);
+/// Collective. `state`: that of this rank; the file has the cells and faces of all in their order.
+void write_fluid_state(io::CheckpointWriter& writer, const fluid::FluidState& state);
 
 /// Whether the checkpoint has a liquid.
 bool has_fluid_state(const io::CheckpointReader& reader);

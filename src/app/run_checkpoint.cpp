@@ -100,7 +100,7 @@ fs::path write_checkpoint(const setup::Case& c,
                     {"stage", state.stage},     {"stage_state", state.stage_state},
                     {"outputs", state.outputs}, {"warnings", state.warnings}};
   writer.text("run", run.dump(-1, ' ', false, Json::error_handler_t::replace));
-  io::write_dem_state(writer, dem.state());
+  io::write_dem_state(writer, dem::in_order_of_ids(dem.state(), dem.ranks()));
   if (liquid != nullptr) write_fluid_state(writer, liquid->save());
   auto file = writer.commit();
   prune_checkpoints(folder, keep);

@@ -2,8 +2,11 @@
 #include "dem/state.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <unordered_map>
+#include <utility>
 
+#include "core/sorted_shares.hpp"
 #include "dem/dem.hpp"
 #include "dem/neighbors.hpp"
 
@@ -72,6 +75,22 @@ DemState whole(const DemState& share, const Ranks& ranks) {
   all.contacts = gather_everywhere(share.contacts, ranks);
   all.wall_contacts = gather_everywhere(share.wall_contacts, ranks);
   return all;
+}
+
+DemState in_order_of_ids(DemState share, const Ranks& ranks) {
+  share.beads = sorted_shares(
+      std::move(share.beads), [](const BeadState& b) { return std::tuple(b.properties.id); },
+      ranks);
+  share.contacts = sorted_shares(
+      std::move(share.contacts),
+      [](const ContactState& c) {
+        return std::tuple(c.id_i, c.id_j, c.image[0], c.image[1], c.image[2]);
+      },
+      ranks);
+  share.wall_contacts = sorted_shares(
+      std::move(share.wall_contacts),
+      [](const WallContactState& c) { return std::tuple(c.id, c.wall); }, ranks);
+  return share;
 }
 
 // A contact between two ranks is in the share of its first bead's.

@@ -79,4 +79,7 @@ struct DemState {
 /// The shares of all ranks as one, on every rank.
 DemState whole(const DemState& share, const Ranks& ranks);
 
+/// The shares dealt out anew in the order of ids, so that a checkpoint does not show which rank had what.
+DemState in_order_of_ids(DemState share, const Ranks& ranks);
+
 }  // namespace packbed::dem
