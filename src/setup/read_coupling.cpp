@@ -37,7 +37,7 @@ void check_width(const Section& section, const Case& c) {
                            "wider, or the width smaller",
                            section.has("averaging_width")
                                ? ""
-                               : fmt::format("(three grain diameters, {:.4g} mm) ", per_mm * reach),
+                               : fmt::format("({:.4g} mm by default) ", per_mm * reach),
                            per_mm * most));
 }
 

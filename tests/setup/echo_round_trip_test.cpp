@@ -42,7 +42,7 @@ std::string column() {
     case 0:
       cells = mesh(of_rectangles);
       text += fmt::format("shape = \"slice\"\ninner_diameter = {}\nslice_depth = {}\nheight = {}\n",
-                          quantity(5, 20, {"mm"}), quantity(800, 2000, {"um", "µm"}),
+                          quantity(5, 20, {"mm"}), quantity(2400, 4000, {"um", "µm"}),
                           quantity(5, 8, {"cm"}));
       break;
     case 1:
@@ -135,6 +135,10 @@ std::string random_case() {
   std::string text =
       maybe("title", "\"A \\\"quoted\\\" title, with # and ä\"") + column() + resin();
   text += "[liquid]\n" + maybe("temperature", quantity(4, 40, {"degC"}));
+  text += "[drag]\n" + maybe("law", *element<std::string>("\"ergun\"", "\"beetstra\"")) +
+          maybe("min_void_fraction", number(0.3, 0.45));
+  text += "[coupling]\n" + maybe("overlap", "\"merged\"") + maybe("scheme", "\"frozen_velocity\"") +
+          maybe("interval", quantity(1, 5, {"ms"}));
   if (*rc::gen::arbitrary<bool>()) text += settle();
   const int count = *rc::gen::inRange(0, 5);
   for (int i = 0; i < count; ++i) text += step("protocol", 0);
@@ -151,6 +155,8 @@ void expect_same(const Case& a, const Case& b) {
   RC_ASSERT(a.column == b.column);
   RC_ASSERT(a.resin == b.resin);
   RC_ASSERT(a.liquid == b.liquid);
+  RC_ASSERT(a.drag == b.drag);
+  RC_ASSERT(a.coupling == b.coupling);
   RC_ASSERT(a.beads == b.beads);
   RC_ASSERT(a.protocol == b.protocol);
   RC_ASSERT(a.numerics == b.numerics);

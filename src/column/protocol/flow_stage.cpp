@@ -55,11 +55,15 @@ double FlowStage::ramp_time() const {
 }
 
 void FlowStage::begin(dem::Dem& dem) {
-  const auto bed = dragged_bed(dem);
-  state_.inertia_scale =
-      options_.inertia_scale.value_or(bed ? dem::dragged_inertia_scale(*bed).scale : 1.0);
+  const bool is_given = options_.inertia_scale && options_.coupling_interval;
+  const auto bed = is_given ? std::nullopt : dragged_bed(dem);
   double interval = std::min(longest_interval, interval_of_plateau * options_.hold.value_or(1.0));
-  if (bed) interval = std::min(interval, interval_of_consolidation * dem::consolidation_time(*bed));
+  double scale = 1.0;
+  if (bed) {
+    scale = dem::dragged_inertia_scale(*bed).scale;
+    interval = std::min(interval, interval_of_consolidation * dem::consolidation_time(*bed));
+  }
+  state_.inertia_scale = options_.inertia_scale.value_or(scale);
   state_.interval = options_.coupling_interval.value_or(interval);
   dem.set_inertia_scale(state_.inertia_scale);
   if (!dem.particles().in_liquid) liquid_.start(dem);
