@@ -72,8 +72,8 @@ TEST_F(BedOfARun, FlowsOnTwoRanksAsOnOne) {
   write("flow.toml",
         text("1.2 mm", 3) + taken +
             "[[protocol]]\nstep = \"flow_ramp\"\nto = \"500 cm/h\"\nhold = \"20 ms\"\n");
-  ASSERT_EQ(run_packbed("run flow.toml -n 1 -o one", folder_).code, 0);
-  ASSERT_EQ(run_packbed("run flow.toml -n 2 -o two", folder_).code, 0);
+  ASSERT_EQ(test::run_on_ranks(1, "run flow.toml -o one", folder_).code, 0);
+  ASSERT_EQ(test::run_on_ranks(2, "run flow.toml -o two", folder_).code, 0);
   const double drop = summary("one")["pressure_drop_at_highest_flow_Pa"];
   EXPECT_GT(drop, 0.0);
   EXPECT_NEAR(summary("two")["pressure_drop_at_highest_flow_Pa"], drop, 1e-6 * drop);

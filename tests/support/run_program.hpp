@@ -34,11 +34,13 @@ inline Outcome run_packbed(const std::string& arguments,
   return run_shell(std::string(PACKBED_PROGRAM) + " " + arguments, folder);
 }
 
-/// The same on several ranks. Open MPI keeps memory to its end, which is no leak of ours.
-inline Outcome run_on_ranks(int ranks, const std::string& arguments) {
+/// The same on some ranks, with or without a flow. Open MPI keeps memory to its end, which is no leak of ours.
+inline Outcome run_on_ranks(int ranks,
+                            const std::string& arguments,
+                            const std::filesystem::path& folder = PACKBED_SOURCE_DIR) {
   return run_shell("ASAN_OPTIONS=detect_leaks=0 " + std::string(PACKBED_PROGRAM) + " " + arguments +
                        " -n " + std::to_string(ranks),
-                   PACKBED_SOURCE_DIR);
+                   folder);
 }
 
 }  // namespace packbed::test
