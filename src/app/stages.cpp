@@ -10,6 +10,7 @@
 #include "column/protocol/run.hpp"
 #include "column/protocol/settle_stage.hpp"
 #include "column/protocol/tap_stage.hpp"
+#include "setup/any_flow.hpp"
 #include "setup/make_liquid.hpp"
 #include "setup/make_settle.hpp"
 
@@ -84,15 +85,6 @@ double steps_of_all(const setup::Case& c, const Steps& steps, double dt) {
   return total;
 }
 
-bool any_flow(const Steps& steps) {
-  return std::ranges::any_of(steps, [](const auto& s) {
-    const auto* hold = std::get_if<setup::Hold>(&s.what);
-    const auto* repeat = std::get_if<setup::Repeat>(&s.what);
-    return std::holds_alternative<setup::FlowRamp>(s.what) || (hold != nullptr && hold->flow) ||
-           (repeat != nullptr && any_flow(repeat->steps));
-  });
-}
-
 /// Velocity with which stage k begins [m/s].
 double flow_before(const setup::Case& c, std::int64_t k) {
   for (--k; k >= 0; --k) {
@@ -125,7 +117,7 @@ const setup::ProtocolStep& protocol_step(const setup::Case& c, std::int64_t k) {
   return find(c.protocol, k);
 }
 
-bool has_flow(const setup::Case& c) { return any_flow(c.protocol); }
+bool has_flow(const setup::Case& c) { return setup::any_flow(c.protocol); }
 
 bool has_flow(const setup::Case& c, std::int64_t k) {
   const auto& what = protocol_step(c, k).what;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-
 #include <fmt/format.h>
 
+#include "setup/any_flow.hpp"
 #include "setup/averaging.hpp"
 #include "setup/read_sections.hpp"
 
@@ -10,15 +9,6 @@ namespace packbed::setup {
 namespace {
 
 constexpr double per_mm = 1e3;
-
-bool any_flow(const std::vector<ProtocolStep>& protocol) {
-  return std::ranges::any_of(protocol, [](const ProtocolStep& step) {
-    const auto* hold = std::get_if<Hold>(&step.what);
-    const auto* repeat = std::get_if<Repeat>(&step.what);
-    return std::holds_alternative<FlowRamp>(step.what) || (hold != nullptr && hold->flow) ||
-           (repeat != nullptr && any_flow(repeat->steps));
-  });
-}
 
 // A kernel narrower than a cell makes void fractions jump as beads pass from cell to cell.
 void check_width(const Section& section, const Case& c) {

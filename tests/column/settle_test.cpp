@@ -135,5 +135,19 @@ TEST(Settle, NeedsBeads) {
   EXPECT_THAT(message_of([&] { settle(s); }), HasSubstr("no beads"));
 }
 
+// A grain that rolls between others does not keep the bed waiting for ever: all count as rolling here.
+TEST(Settle, WaitsForRollingGrainsTenFallingTimes) {
+  const auto end_of = [](double speed_limit) {
+    auto s = cloud_of(60);
+    s.options.speed_limit = speed_limit;
+    Settle settle(s.options, s.start);
+    while (settle.advance(s.dem)) {}
+    return s.dem.time();
+  };
+  const double waited = end_of(0.0) - end_of(1.0);
+  const double ten_falling_times = 10.0 * std::sqrt(0.26e-3 / 9.81);  // of a grain of mean size
+  EXPECT_NEAR(waited, ten_falling_times, 0.1 * ten_falling_times);
+}
+
 }  // namespace
 }  // namespace packbed::column

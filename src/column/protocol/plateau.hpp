@@ -30,7 +30,8 @@ struct Samples {
 inline constexpr std::size_t fewest_noise_samples = 5;
 
 /// Standard deviation over mean of the samples from `from` on [s], a parabola taken out (three degrees of
-/// freedom less): what a bed that still consolidates does slowly is no noise. Nothing for fewer than `fewest_noise_samples`, or a mean of zero.
+/// freedom less): what a bed that still consolidates does slowly is no noise. Nothing
+/// for fewer than `fewest_noise_samples`, or a mean of zero.
 std::optional<double> pressure_noise(const Samples& samples, double from);
 
 }  // namespace packbed::column
