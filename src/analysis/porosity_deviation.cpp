@@ -54,7 +54,9 @@ WallDeviation wall_deviation(const Profile& wall_profile, double diameter) {
 
 WallDeviation wall_deviation(const Profile& wall_profile, double diameter, double bulk) {
   assert(diameter > 0.0);
-  WallDeviation w{.bulk_from = start_of_bulk(wall_profile, diameter), .bulk = bulk};
+  WallDeviation w;
+  w.bulk_from = start_of_bulk(wall_profile, diameter);
+  w.bulk = bulk;
   w.wall = integral_porosity_deviation(wall_profile.edges, wall_profile.porosities(), bulk);
   w.across = 2.0 * w.wall;
   w.wall_in_diameters = (1.0 / diameter) * w.wall;

@@ -53,7 +53,7 @@ struct NonAffineMotion {
 /// l the branch to a neighbor in the first state, l' in the second: what no rotation, stretch or shear of the
 /// neighborhood explains. A bead needs at least four neighbors that do not lie in a plane with it; beads with
 /// fewer are left out and counted. `contacts` are those of the first state; walls do not count.
-/// Source: Falk and Langer, Phys. Rev. E 57 (1998) 7192, eq. (2.11) to (2.13), with contacts in place of a
+/// Source: Falk and Langer, Phys. Rev. E 57 (1998) 7192, section II, with contacts in place of a
 /// cutoff and the mean in place of the sum.
 NonAffineMotion non_affine_motion(const Displacements& displacements,
                                   std::span<const ContactForce> contacts);
