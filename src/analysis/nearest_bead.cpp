@@ -13,14 +13,26 @@ namespace {
 
 std::array<double, 3> to_array(const Vec3& a) { return {a.x, a.y, a.z}; }
 
-/// Calls visit(offset) for all offsets of cells on the border of a cube of 2 s + 1 cells.
+/// Offsets of cells along an axis that are worth a look.
+struct Reach {
+  int low = 0;
+  int high = 0;
+};
+using Reaches = std::array<Reach, 3>;
+
+/// Calls visit(offset) for those offsets within reach that lie on the border of a cube of 2 s + 1 cells.
 template <class Visit>
-void for_shell(int s, const Visit& visit) {
-  for (int k = -s; k <= s; ++k) {
-    for (int j = -s; j <= s; ++j) {
-      const bool face = std::abs(k) == s || std::abs(j) == s;
-      const int step = face || s == 0 ? 1 : 2 * s;
-      for (int i = -s; i <= s; i += step) visit(std::array<int, 3>{i, j, k});
+void for_shell(int s, const Reaches& reach, const Visit& visit) {
+  const auto low = [&](std::size_t a) { return std::max(-s, reach[a].low); };
+  const auto high = [&](std::size_t a) { return std::min(s, reach[a].high); };
+  for (int k = low(2); k <= high(2); ++k) {
+    for (int j = low(1); j <= high(1); ++j) {
+      if (std::abs(k) == s || std::abs(j) == s) {
+        for (int i = low(0); i <= high(0); ++i) visit(std::array<int, 3>{i, j, k});
+        continue;
+      }
+      if (-s >= reach[0].low) visit(std::array<int, 3>{-s, j, k});
+      if (s <= reach[0].high) visit(std::array<int, 3>{s, j, k});
     }
   }
 }
@@ -110,26 +122,34 @@ std::size_t NearestBead::index_of(const Cell& cell) const {
 void NearestBead::look_at(Cell cell, const Vec3& point, double& nearest) const {
   Vec3 shift;
   wrap(cell, shift);
-  for (std::size_t a = 0; a < 3; ++a) {
-    if (cell[a] < 0 || cell[a] >= count_[a]) return;
-  }
   const auto c = index_of(cell);
   for (auto k = first_[c]; k < first_[c + 1]; ++k) {
     nearest = std::min(nearest, norm(point - shift - balls_[k].x) - balls_[k].radius);
   }
 }
 
-// What is not in the shells up to s is at least s cells away.
+// What is not in the shells up to s is at least s cells away. Over a periodic side the nearest image is at most half
+// a period away.
 double NearestBead::distance(const Vec3& point) const {
   const auto here = cell_of(point);
+  Reaches reach;
+  int first = 0;
+  int last = 0;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const int half = count_[a] / 2 + 1;
+    reach[a] = period_[a] > 0.0 ? Reach{-half, half} : Reach{-here[a], count_[a] - 1 - here[a]};
+    first = std::max({first, reach[a].low, -reach[a].high});
+    last = std::max({last, -reach[a].low, reach[a].high});
+  }
   const double width = std::min({width_[0], width_[1], width_[2]});
   double nearest = std::numeric_limits<double>::infinity();
-  for (int s = 0;; ++s) {
-    for_shell(s, [&](const std::array<int, 3>& offset) {
+  for (int s = first; s <= last; ++s) {
+    for_shell(s, reach, [&](const std::array<int, 3>& offset) {
       look_at({here[0] + offset[0], here[1] + offset[1], here[2] + offset[2]}, point, nearest);
     });
-    if (nearest <= 0.0 || nearest <= s * width - largest_radius_) return nearest;
+    if (nearest <= 0.0 || nearest <= s * width - largest_radius_) break;
   }
+  return nearest;
 }
 
 }  // namespace packbed::analysis
