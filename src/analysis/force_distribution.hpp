@@ -46,7 +46,7 @@ struct ForceTail {
 };
 ForceTail force_tail(std::span<const ContactForce> contacts);
 
-/// Strong (f > 1) and weak network (Radjai et al., Phys. Rev. Lett. 77 (1996) 274).
+/// Strong (f > 1) and weak network (Radjai et al., Phys. Rev. Lett. 80 (1998) 61).
 struct ForceNetworks {
   double strong_share = 0.0;         ///< of the contacts
   double strong_load = 0.0;          ///< their share of the sum of F
