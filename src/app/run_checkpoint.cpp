@@ -103,7 +103,8 @@ fs::path write_checkpoint(const setup::Case& c,
                     {"outputs", state.outputs},
                     {"warnings", state.warnings},
                     {"settled_height", state.bed.settled_height},
-                    {"height", state.bed.height}};
+                    {"height", state.bed.height},
+                    {"plunger", state.bed.plunger}};
   writer.text("run", run.dump(-1, ' ', false, Json::error_handler_t::replace));
   io::write_dem_state(writer, dem::in_order_of_ids(dem.state(), dem.ranks()));
   if (liquid != nullptr) write_fluid_state(writer, liquid->save());
@@ -175,7 +176,9 @@ LoadedCheckpoint read_checkpoint(const setup::Case& c, const fs::path& folder) {
                 .stage_state = run.at("stage_state"),
                 .outputs = run.at("outputs"),
                 .warnings = run.at("warnings").get<std::vector<std::string>>(),
-                .bed = {.settled_height = run.at("settled_height"), .height = run.at("height")}}};
+                .bed = {.settled_height = run.at("settled_height"),
+                        .height = run.at("height"),
+                        .plunger = run.at("plunger")}}};
 }
 
 }  // namespace packbed::app

@@ -128,7 +128,8 @@ class Simulation {
     enter_or_leave_liquid();
     if (now_.stage_state.is_null()) {
       now_.bed = {.settled_height = outputs_->figures().settled_height,
-                  .height = outputs_->figures().bed.height};
+                  .height = outputs_->figures().bed.height,
+                  .plunger = column::plunger_position(dem_->walls()).value_or(column::lid_away)};
     }
     const auto stage = make_stage(c_, now_.stage, now_.bed, choice_, liquid_.get());
     clock_.emplace(entry_of(timings_, now_.stage + 1, stage->name()), liquid_.get());

@@ -134,13 +134,21 @@ struct Hold {
 };
 
 /// What the plunger goes to.
-enum class PlungerGoal { height, compression, compression_factor, packing_factor, force, pressure };
+enum class PlungerGoal {
+  height,
+  compression,
+  further_compression,  ///< than the plunger, or the settled bed, has now
+  compression_factor,
+  packing_factor,
+  force,
+  pressure
+};
 
 /// A move of the plunger, down ("compress") or up ("relax").
 struct PlungerMove {
   double speed;  ///< [m/s]
   PlungerGoal goal;
-  double value;                      ///< of the goal: m, -, -, -, N, Pa
+  double value;                      ///< of the goal: m, -, -, -, -, N, Pa
   double hold = 0.0;                 ///< time for which it is kept [s]
   double flow = 0.0;                 ///< superficial velocity meanwhile [m/s]
   std::optional<double> friction{};  ///< bead on bead, for this step alone
@@ -163,10 +171,11 @@ struct Relax {
 struct FlowPack {
   double flow;  ///< superficial velocity, the highest one [m/s]
   std::int64_t steps;
-  std::optional<double> hold;         ///< at each step [s]; none: until steady
-  double hold_limit;                  ///< longest hold until steady [s]
-  std::optional<double> compression;  ///< to reach; none: what the flow gives
-  double plunger_speed;               ///< [m/s]
+  std::optional<double> hold;                 ///< at each step [s]; none: until steady
+  double hold_limit;                          ///< longest hold until steady [s]
+  std::optional<double> compression;          ///< to reach; none: what the flow gives
+  std::optional<double> further_compression;  ///< likewise, than there is
+  double plunger_speed;                       ///< [m/s]
   bool operator==(const FlowPack&) const = default;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "setup/make_packing.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "core/error.hpp"
@@ -20,10 +22,23 @@ double height_at(const Case& c, double compression, const PackedBed& bed) {
                   c.file.string()));
 }
 
-double goal_height(const Case& c, const PlungerMove& move, const PackedBed& bed) {
+/// The same, further than the plunger is.
+double height_after(const Case& c, double further, const PackedBed& bed) {
+  return std::min(bed.plunger, height_at(c, 0.0, bed)) - further * bed.settled_height;
+}
+
+std::optional<double> packed_height(const Case& c, const FlowPack& pack, const PackedBed& bed) {
+  if (pack.compression) return height_at(c, *pack.compression, bed);
+  if (pack.further_compression) return height_after(c, *pack.further_compression, bed);
+  return std::nullopt;
+}
+
+double goal_height(const Case& c, const PlungerMove& move, bool goes_up, const PackedBed& bed) {
   switch (move.goal) {
     case PlungerGoal::compression:
       return height_at(c, move.value, bed);
+    case PlungerGoal::further_compression:
+      return height_after(c, goes_up ? -move.value : move.value, bed);
     case PlungerGoal::compression_factor:
       return height_at(c, 1.0 - 1.0 / move.value, bed);
     case PlungerGoal::packing_factor:
@@ -62,7 +77,7 @@ column::PlungerOptions plunger_options(const Case& c,
   o.target = by_force ? column::PlungerTarget::force : column::PlungerTarget::height;
   o.value = move.goal == PlungerGoal::pressure ? move.value * o.area
             : by_force                         ? move.value
-                                               : goal_height(c, move, bed);
+                                               : goal_height(c, move, goes_up, bed);
   o.hold = move.hold;
   o.column_height = mesh::height(c.column.shape);
   o.flow = move.flow;
@@ -81,7 +96,7 @@ column::FlowOptions packing_flow(const Case& c,
                                  const dem::StepChoice& step) {
   auto o = flow_to(c, "flow_pack", pack.flow, pack.hold, pack.hold_limit, step);
   o.steps = pack.steps;
-  if (pack.compression) o.until_height = height_at(c, *pack.compression, bed);
+  o.until_height = packed_height(c, pack, bed);
   return o;
 }
 
@@ -91,11 +106,12 @@ column::PlungerOptions packing_plunger(const Case& c,
                                        const PackedBed& bed,
                                        const dem::StepChoice& step) {
   PlungerMove move{.speed = pack.plunger_speed, .goal = PlungerGoal::height, .value = 0.0};
-  if (pack.compression) move.value = height_at(c, *pack.compression, bed);
+  const auto height = packed_height(c, pack, bed);
+  move.value = height.value_or(0.0);
   auto o = plunger_options(c, move, false, bed, step);
   o.name = "flow_pack";
   o.flow = std::nullopt;
-  o.touches_only = !pack.compression;
+  o.touches_only = !height;
   return o;
 }
 

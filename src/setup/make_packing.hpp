@@ -15,6 +15,7 @@ namespace packbed::setup {
 struct PackedBed {
   double settled_height = 0.0;  ///< H0; 0: no bed has settled yet [m]
   double height = 0.0;          ///< now [m]
+  double plunger = 0.0;         ///< where it is; column::lid_away where there is none [m]
 };
 
 /// Of a move. `step` as setup::step_of says. Throws ConfigError for a compression without a settled bed.

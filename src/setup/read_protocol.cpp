@@ -125,8 +125,9 @@ Hold read_hold(Section& section, Context& context) {
           .flow = section.optional_flow("flow", mesh::flow_cross_section(context.column.shape))};
 }
 
-constexpr std::array<std::string_view, 6> goal_names = {
-    "height", "compression", "compression_factor", "packing_factor", "force", "pressure"};
+constexpr std::array<std::string_view, 7> goal_names = {
+    "height", "compression", "further_compression", "compression_factor", "packing_factor",
+    "force",  "pressure"};
 
 /// The goal that a step has; none if it names none.
 bool read_goal(Section& section, const Context& context, bool may_be_zero, PlungerMove& move) {
@@ -136,6 +137,7 @@ bool read_goal(Section& section, const Context& context, bool may_be_zero, Plung
     Dimension dimension;
     Bounds bounds;
   } accepted[] = {{Dimension::length, bounds::positive},
+                  {Dimension::fraction, bounds::between_0_and_1},
                   {Dimension::fraction, bounds::between_0_and_1},
                   {Dimension::fraction, above_1},
                   {Dimension::fraction, above_1},
@@ -181,15 +183,14 @@ void read_rest_of_move(Section& section, const Context& context, PlungerMove& mo
 
 Compress read_compress(Section& section, Context& context) {
   PlungerMove move{};
-  section.mention({"speed", "height", "compression", "compression_factor", "packing_factor",
-                   "force", "pressure", "hold", "flow", "friction", "drained"});
+  section.mention({"speed", "height", "compression", "further_compression", "compression_factor",
+                   "packing_factor", "force", "pressure", "hold", "flow", "friction", "drained"});
   require_plunger(section, context);
   move.speed = section.quantity("speed", Dimension::velocity, bounds::positive);
   if (!read_goal(section, context, false, move)) {
-    section.fail(
-        "step",
-        "needs a target: height, compression, compression_factor, packing_factor, force or "
-        "pressure");
+    section.fail("step",
+                 "needs a target: height, compression, further_compression, compression_factor, "
+                 "packing_factor, force or pressure");
   }
   read_rest_of_move(section, context, move);
   return {.move = move};
@@ -197,8 +198,9 @@ Compress read_compress(Section& section, Context& context) {
 
 Relax read_relax(Section& section, Context& context) {
   PlungerMove move{.speed = 0.0, .goal = PlungerGoal::force, .value = 0.0};
-  section.mention({"speed", "height", "compression", "compression_factor", "packing_factor",
-                   "force", "pressure", "hold", "flow", "friction", "drained", "withdraw"});
+  section.mention({"speed", "height", "compression", "further_compression", "compression_factor",
+                   "packing_factor", "force", "pressure", "hold", "flow", "friction", "drained",
+                   "withdraw"});
   require_plunger(section, context);
   move.speed = section.quantity("speed", Dimension::velocity, bounds::positive);
   read_goal(section, context, true, move);
@@ -233,7 +235,8 @@ Holds read_holds(Section& section, std::string_view first, std::string_view seco
 
 FlowPack read_flow_pack(Section& section, Context& context) {
   FlowPack pack{};
-  section.mention({"flow", "steps", "hold", "hold_limit", "compression", "plunger_speed"});
+  section.mention({"flow", "steps", "hold", "hold_limit", "compression", "further_compression",
+                   "plunger_speed"});
   require_ends(section, context, "step");
   require_plunger(section, context);
   pack.flow = section.flow("flow", mesh::flow_cross_section(context.column.shape));
@@ -244,6 +247,11 @@ FlowPack read_flow_pack(Section& section, Context& context) {
   pack.hold_limit = holds.limit;
   pack.compression =
       section.optional_quantity("compression", Dimension::fraction, bounds::between_0_and_1);
+  pack.further_compression = section.optional_quantity("further_compression", Dimension::fraction,
+                                                       bounds::between_0_and_1);
+  if (pack.compression && pack.further_compression) {
+    section.fail("further_compression", "is one target too many; give one");
+  }
   pack.plunger_speed = section.quantity("plunger_speed", Dimension::velocity, bounds::positive,
                                         Fallback{"30 mm/min", "default: thesis section 5.4.5"});
   return pack;

@@ -113,8 +113,9 @@ std::string step(const std::string& header, int depth) {
     case 3:
       return start + "\"compress\"\nspeed = " + quantity(1, 30, {"mm/min"}) + "\n" +
              *element<std::string>("compression = \"2.5 %\"\n", "compression_factor = 1.15\n",
-                                   "packing_factor = 1.1\n", "height = \"20 mm\"\n",
-                                   "force = \"0.5 N\"\n", "pressure = \"0.5 bar\"\n") +
+                                   "packing_factor = 1.1\n", "further_compression = 0.02\n",
+                                   "height = \"20 mm\"\n", "force = \"0.5 N\"\n",
+                                   "pressure = \"0.5 bar\"\n") +
              maybe("hold", quantity(0.1, 2, {"s"})) + maybe("friction", number(0, 1)) +
              *element<std::string>("", "drained = true\n", "flow = \"20 cm/h\"\n");
     case 4:
