@@ -7,6 +7,7 @@
 #include "analysis/overlap.hpp"
 #include "analysis/profile.hpp"
 #include "analysis/sections.hpp"
+#include "analysis/void_sizes.hpp"
 #include "core/random.hpp"
 
 namespace {
@@ -80,6 +81,15 @@ void sphere_in_cylinder(benchmark::State& state) {
   }
 }
 
+// items_per_second counts points.
+void voids(benchmark::State& state) {
+  const auto& beads = column(state.range(0));
+  const mesh::Cylinder shape{diameter, height(state.range(0))};
+  const VoidOptions options{.z = middle_half(shape.height), .points = 100000};
+  for (auto _ : state) benchmark::DoNotOptimize(void_sizes(beads, shape, options).d50);
+  state.SetItemsProcessed(state.iterations() * options.points);
+}
+
 BENCHMARK(z_profile)->Arg(16000)->Arg(1000000)->Unit(benchmark::kMillisecond);
 BENCHMARK(ring_profile)
     ->Args({16000, 10})
@@ -88,6 +98,7 @@ BENCHMARK(ring_profile)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(figures)->Arg(16000)->Arg(1000000)->Unit(benchmark::kMillisecond);
 BENCHMARK(section_rows)->Arg(16000)->Arg(1000000)->Unit(benchmark::kMillisecond);
+BENCHMARK(voids)->Arg(16000)->Arg(200000)->Unit(benchmark::kMillisecond);
 BENCHMARK(sphere_in_cylinder);
 
 }  // namespace

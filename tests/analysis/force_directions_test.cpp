@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "analysis/force_directions.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "tests/support/contacts.hpp"
+
+namespace packbed::analysis {
+namespace {
+
+using namespace packbed::test;  // NOLINT
+
+TEST(ForceDirections, OfAnIsotropicBedHaveTheDensityOne) {
+  const auto bins = force_directions(even_contacts(180000, [](double) { return 2.0; }));
+  ASSERT_EQ(bins.size(), 18U);
+  for (const auto& bin : bins) {
+    EXPECT_NEAR(bin.density, 1.0, 3e-3);
+    EXPECT_NEAR(bin.mean_force, 1.0, 1e-9);
+    EXPECT_EQ(bin.above_share, 0.0);
+  }
+  EXPECT_EQ(bins.front().low, 0.0);
+  EXPECT_EQ(bins.back().high, 90.0);
+}
+
+// Nine level contacts of 1 N, one of 11 N straight down: <F> = 2 N.
+TEST(ForceDirections, TellLateralFromAxial) {
+  std::vector<ContactForce> contacts(9, contact(0, 1, {1, 2, 0}, 1.0));
+  contacts.push_back(contact(1, 2, {0, 0, -3}, 11.0));
+  contacts.push_back(contact(1, -1, {0, 0, -3}, 50.0));
+
+  const auto bins = force_directions(contacts, {.width = 30.0, .multiple = 5.0});
+
+  ASSERT_EQ(bins.size(), 3U);
+  EXPECT_EQ(bins[0].contacts, 9);
+  EXPECT_NEAR(bins[0].density, 0.9 / 0.5, 1e-12);
+  EXPECT_EQ(bins[0].mean_force, 0.5);
+  EXPECT_EQ(bins[1].contacts, 0);
+  EXPECT_EQ(bins[1].density, 0.0);
+  EXPECT_EQ(bins[2].contacts, 1);
+  EXPECT_EQ(bins[2].largest_force, 5.5);
+  EXPECT_EQ(bins[2].above_share, 1.0);
+}
+
+TEST(Fabric, OfACubicLatticeIsIsotropic) {
+  const auto beads = cubic(1.0, 3, 3, 3);
+  auto contacts = contacts_of(beads);
+  EXPECT_TRUE(contacts.empty());  // they touch in points
+  auto swollen = beads;
+  for (auto& b : swollen) b.radius *= 1.01;
+  contacts = contacts_of(swollen);
+  ASSERT_EQ(contacts.size(), 54U);
+
+  const auto f = fabric(contacts);
+
+  for (const double each : {f.contacts.xx, f.contacts.yy, f.contacts.zz, f.forces.zz}) {
+    EXPECT_NEAR(each, 1.0 / 3.0, 1e-14);
+  }
+  EXPECT_EQ(f.contacts.xy, 0.0);
+  EXPECT_NEAR(anisotropy(f.contacts), 0.0, 1e-14);
+  EXPECT_NEAR(axial_excess(f.contacts), 0.0, 1e-14);
+  EXPECT_NEAR(f.axial_to_lateral(), 1.0, 1e-13);
+}
+
+TEST(Fabric, ShowsAnAxialLoad) {
+  std::vector<ContactForce> contacts = {
+      contact(0, 1, {2, 0, 0}, 1.0), contact(0, 2, {0, 1, 0}, 1.0), contact(0, 3, {0, 0, 5}, 3.0)};
+  const auto f = fabric(contacts);
+  EXPECT_NEAR(axial_excess(f.contacts), 0.0, 1e-15);
+  EXPECT_NEAR(f.forces.zz, 0.6, 1e-15);
+  EXPECT_NEAR(f.axial_to_lateral(), 3.0, 1e-15);
+  EXPECT_NEAR(anisotropy(f.forces), 0.4, 1e-15);
+
+  contacts = {contact(0, 1, {1, 1, 0}, 1.0)};
+  EXPECT_NEAR(anisotropy(fabric(contacts).contacts), 1.0, 1e-15);  // all parallel
+  EXPECT_NEAR(fabric(contacts).contacts.xy, 0.5, 1e-15);
+}
+
+TEST(ForceDirections, DoNotDependOnOrderOrOnWhoTells) {
+  const auto contacts = even_contacts(500, [](double u) { return u; });
+  const auto others = shuffled(contacts);
+  const auto a = force_directions(contacts);
+  const auto b = force_directions(others);
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    EXPECT_EQ(a[k].contacts, b[k].contacts);
+    EXPECT_NEAR(a[k].mean_force, b[k].mean_force, 1e-12);
+  }
+  EXPECT_NEAR(fabric(contacts).forces.xz, fabric(others).forces.xz, 1e-14);
+}
+
+TEST(ForceDirections, OfNothingAreZero) {
+  for (const auto& bin : force_directions({})) EXPECT_EQ(bin.density, 0.0);
+  EXPECT_EQ(fabric({}).axial_to_lateral(), 0.0);
+  EXPECT_EQ(anisotropy(fabric({}).contacts), 0.0);
+  EXPECT_THROW((void)force_directions({}, {.width = 0.0}), ValueError);
+}
+
+}  // namespace
+}  // namespace packbed::analysis
