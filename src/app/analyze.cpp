@@ -25,6 +25,18 @@ Vec3 period_of(const mesh::ColumnShape& shape) {
   return {along(0), along(1), along(2)};
 }
 
+/// What the analyses refuse is damage of this frame.
+FrameAnalysis analyzed(const RunFrames& run,
+                       const BedFrame& bed,
+                       const std::vector<analysis::Section>& initial) {
+  try {
+    return analyze_frame(run, bed, initial);
+  } catch (const ValueError& error) {
+    throw DataError(
+        fmt::format("{}: it cannot be analyzed ({})", bed.place.beads.string(), error.what()));
+  }
+}
+
 RearrangementRow rearrangement(const BedFrame& before,
                                const BedFrame& after,
                                const mesh::ColumnShape& shape) {
@@ -113,7 +125,7 @@ RunAnalysis analyze_frames(const RunFrames& run,
   prepare_analysis_folder(output);
   for (const auto& frame : frames) {
     auto bed = read_frame(frame);
-    const auto analysis = analyze_frame(run, bed, initial);
+    const auto analysis = analyzed(run, bed, initial);
     write_frame_tables(output, frame.number, analysis);
     found.rows.push_back({.frame = frame,
                           .stage_name = stage_name(run.run, frame.stage),

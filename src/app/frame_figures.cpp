@@ -97,11 +97,18 @@ void add_sections(FrameFigures& f,
   if (sections.size() == initial.size()) f.s_init = analysis::density_change(sections, initial);
 }
 
-void add_contacts(FrameFigures& f, const BedFrame& frame) {
+/// Contacts that hold a bead of this case.
+int holding_contacts(const report::RunData& run) {
+  const report::Json& values = run.values;
+  const double friction = values.value("/resin/friction"_json_pointer, 0.0);
+  return friction > 0.0 ? analysis::holding_with_friction : analysis::holding_frictionless;
+}
+
+void add_contacts(FrameFigures& f, const BedFrame& frame, int holding) {
   const auto& contacts = frame.contacts;
   const auto beads = static_cast<std::int64_t>(frame.beads.size());
   const auto pairs = analysis::touching_pairs(contacts);
-  const auto coordination = analysis::coordination(pairs, beads);
+  const auto coordination = analysis::coordination(pairs, beads, holding);
   f.coordination = coordination.mean;
   f.coordination_without_rattlers = coordination.mean_without_rattlers;
   f.rattler_share = static_cast<double>(coordination.rattlers) / static_cast<double>(beads);
@@ -231,7 +238,7 @@ FrameAnalysis analyze_frame(const RunFrames& run,
   a.forces = analysis::force_distribution(frame.contacts);
   a.angles = analysis::force_directions(frame.contacts);
   if (frame.beads.empty() || !(f.bed_height > 0.0)) return a;
-  add_contacts(f, frame);
+  add_contacts(f, frame, holding_contacts(run.run));
   const auto edges = analysis::even_edges(0.0, f.bed_height, slab_width * frame.diameter);
   f.granular_temperature = analysis::granular_temperature(frame.motion, edges).mean;
   add_stress(a, frame, edges, mesh::cross_section(run.shape));
