@@ -113,8 +113,9 @@ void tell_apart(std::vector<RunData>& runs) {
 std::string links(const std::string& body) {
   std::string html;
   const std::pair<const char*, const char*> places[] = {
-      {"figures", "Key figures"}, {"case", "Case"},         {"flow", "Flow"},
-      {"time", "Time"},           {"sections", "Sections"}, {"profiles", "Profiles"},
+      {"figures", "Key figures"}, {"case", "Case"},     {"flow", "Flow"},
+      {"plunger", "Plunger"},     {"time", "Time"},     {"sections", "Sections"},
+      {"evenness", "Evenness"},   {"forces", "Forces"}, {"profiles", "Profiles"},
       {"checks", "Checks"},       {"times", "Timings"}};
   for (const auto& [id, name] : places) {
     if (body.find(fmt::format("<section id=\"{}\">", id)) == std::string::npos) continue;
@@ -132,7 +133,8 @@ std::string page(std::vector<RunData> runs, const UnitSystem& units) {
   body += is_one ? tiles(runs[0]) + case_section(runs[0], units)
                  : figure_table(runs) + difference_table(runs);
   auto data = Json::array();
-  for (auto* plots : {flow_plots, time_plots, section_plots, profile_plots, check_plots}) {
+  for (auto* plots : {flow_plots, plunger_plots, time_plots, section_plots, evenness_plots,
+                      force_plots, profile_plots, check_plots}) {
     body += plot_section(plots(runs), data);
   }
   if (is_one) body += times_table(runs[0]);
