@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/analysis_files.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -33,6 +34,9 @@ bool is_ours(const std::string& name) {
   return false;
 }
 
+/// Share of the largest axial stress below which a ratio says nothing: a few beads on top.
+constexpr double ratio_limit = 0.01;
+
 std::string forces_text(const analysis::ForceDistribution& forces) {
   std::string text = "force_low,force_high,contacts,density\n";
   for (std::size_t k = 0; k < forces.counts.size(); ++k) {
@@ -56,10 +60,13 @@ std::string stress_text(const std::vector<analysis::StressBin>& bins) {
   std::string text =
       "z_low_m,z_high_m,stress_xx_Pa,stress_yy_Pa,stress_zz_Pa,stress_xy_Pa,stress_xz_Pa,"
       "stress_yz_Pa,lateral_ratio\n";
+  double largest = 0.0;
+  for (const auto& b : bins) largest = std::max(largest, b.axial());
   for (const auto& b : bins) {
     const auto& s = b.stress;
+    const bool has_ratio = b.axial() > ratio_limit * largest;
     text += fmt::format("{},{},{},{},{},{},{},{},{}\n", b.z.low, b.z.high, s.xx, s.yy, s.zz, s.xy,
-                        s.xz, s.yz, s.zz > 0.0 ? cell(b.lateral_ratio()) : "");
+                        s.xz, s.yz, has_ratio ? cell(b.lateral_ratio()) : "");
   }
   return text;
 }

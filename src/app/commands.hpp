@@ -44,6 +44,13 @@ struct AnalyzeCommand {
 };
 int analyze(const AnalyzeCommand& command);
 
+struct CompareCommand {
+  std::vector<std::filesystem::path> runs;  ///< folders
+  std::filesystem::path output = "comparison.html";
+  std::filesystem::path csv;  ///< empty: none
+};
+int compare(const CompareCommand& command);
+
 struct ResinsCommand {
   std::string name;     ///< empty: list all
   std::string library;  ///< file of the user's own; empty: none

@@ -59,20 +59,6 @@ void add_report(CLI::App& app, ReportCommand& options, Action& action) {
   command->callback([&] { action = [&] { return report(options); }; });
 }
 
-void add_analyze(CLI::App& app, AnalyzeCommand& options, Action& action) {
-  auto* command = app.add_subcommand(
-      "analyze", "Analyze the frames of a run: forces, stresses, sections, porosity, liquid");
-  command->add_option("RUN", options.run, "Folder of a run that has ended")->required();
-  command->add_option("-o,--output", options.output,
-                      "Folder of the tables; by default analysis in the folder of the run");
-  auto* frame = command->add_option("--frame", options.frame, "Number of the one frame to analyze")
-                    ->check(CLI::Range(0, 999'999'999));
-  command->add_flag("--all", options.all, "All frames, not only those at the ends of stages")
-      ->excludes(frame);
-  add_json(*command, options.json);
-  command->callback([&] { action = [&] { return analyze(options); }; });
-}
-
 void add_resins(CLI::App& app, ResinsCommand& options, Action& action) {
   auto* command =
       app.add_subcommand("resins", "List the resin library, or show one resin with its sources");
@@ -124,6 +110,7 @@ int dispatch(int argc, char** argv) {
   CheckCommand check_options;
   ReportCommand report_options;
   AnalyzeCommand analyze_options;
+  CompareCommand compare_options;
   ResinsCommand resins_options;
   UnitsCommand units_options;
   BeadCommands bead_options;
@@ -134,6 +121,7 @@ int dispatch(int argc, char** argv) {
   add_check(app, check_options, action);
   add_report(app, report_options, action);
   add_analyze(app, analyze_options, action);
+  add_compare(app, compare_options, action);
   add_resins(app, resins_options, action);
   add_units(app, units_options, action);
   add_bead(app, bead_options, action);

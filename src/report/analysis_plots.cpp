@@ -169,6 +169,12 @@ void add_frame_plots(PlotGroup& group,
   }
 }
 
+/// The axis without its unit.
+std::string short_name(const OfStages& of) {
+  const std::string axis = of.axis;
+  return axis.substr(0, axis.find(" ["));
+}
+
 /// Of one run against its stages; of several against stages since packing was over, which lays cycles of different
 /// methods over each other.
 Plot stage_plot(const OfStages& of, std::span<const RunData> runs) {
@@ -180,7 +186,7 @@ Plot stage_plot(const OfStages& of, std::span<const RunData> runs) {
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const auto& table = runs[r].analysis;
     if (table.rows() < 2 || !table.has(of.column)) continue;
-    Curve curve{.label = curve_label(runs, r, one_run ? of.title : ""), .x = {}, .y = {}};
+    Curve curve{.label = curve_label(runs, r, one_run ? short_name(of) : ""), .x = {}, .y = {}};
     curve.draw = Draw::line_with_points;
     curve.color = static_cast<int>(r);
     for (std::size_t i = 0; i < table.rows(); ++i) {

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/page.hpp"
 
-#include <set>
-
 #include <fmt/format.h>
 
 #include "report/case_words.hpp"
 #include "report/html.hpp"
 #include "report/key_figures.hpp"
 #include "report/plots.hpp"
+#include "report/scorecard.hpp"
 #include "report/tables.hpp"
 #include "report/web_files.hpp"
 
@@ -95,28 +94,13 @@ std::string subtitle(const std::vector<RunData>& runs) {
                      escaped(std::filesystem::path(summary.value("case", "")).filename().string()));
 }
 
-/// By their titles, else by their folders.
-void tell_apart(std::vector<RunData>& runs) {
-  const auto are_distinct = [&] {
-    std::set<std::string> labels;
-    for (const auto& run : runs) labels.insert(run.label);
-    return labels.size() == runs.size();
-  };
-  for (auto& run : runs) run.label = run.title();
-  if (are_distinct()) return;
-  for (auto& run : runs)
-    run.label = std::filesystem::absolute(run.folder).lexically_normal().filename().string();
-  if (are_distinct()) return;
-  for (auto& run : runs) run.label = run.folder.string();
-}
-
 std::string links(const std::string& body) {
   std::string html;
   const std::pair<const char*, const char*> places[] = {
-      {"figures", "Key figures"}, {"case", "Case"},     {"flow", "Flow"},
-      {"plunger", "Plunger"},     {"time", "Time"},     {"sections", "Sections"},
-      {"evenness", "Evenness"},   {"forces", "Forces"}, {"profiles", "Profiles"},
-      {"checks", "Checks"},       {"times", "Timings"}};
+      {"scores", "Methods"},    {"figures", "Key figures"}, {"case", "Case"},
+      {"flow", "Flow"},         {"plunger", "Plunger"},     {"time", "Time"},
+      {"sections", "Sections"}, {"evenness", "Evenness"},   {"forces", "Forces"},
+      {"profiles", "Profiles"}, {"checks", "Checks"},       {"times", "Timings"}};
   for (const auto& [id, name] : places) {
     if (body.find(fmt::format("<section id=\"{}\">", id)) == std::string::npos) continue;
     html += fmt::format("<a href=\"#{}\">{}</a>\n", id, name);
@@ -131,7 +115,7 @@ std::string page(std::vector<RunData> runs, const UnitSystem& units) {
   const bool is_one = runs.size() == 1;
   auto body = warnings_box(runs);
   body += is_one ? tiles(runs[0]) + case_section(runs[0], units)
-                 : figure_table(runs) + difference_table(runs);
+                 : scorecard_section(runs) + figure_table(runs) + difference_table(runs);
   auto data = Json::array();
   for (auto* plots : {flow_plots, plunger_plots, time_plots, section_plots, evenness_plots,
                       force_plots, profile_plots, check_plots}) {

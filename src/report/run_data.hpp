@@ -78,6 +78,9 @@ RunData read_run(const std::filesystem::path& folder, const UnitSystem& units);
 /// The same without what `packbed analyze` has added.
 RunData read_results(const std::filesystem::path& folder, const UnitSystem& units);
 
+/// Gives runs labels that tell them apart: their titles, else the names of their folders, else the whole paths.
+void tell_apart(std::vector<RunData>& runs);
+
 /// Plateaus of a run that has no plateaus.csv: rows after which a flow that stood still in a stage changes.
 std::vector<Plateau> plateaus_of_series(const Columns& series);
 
