@@ -223,7 +223,7 @@ BedFrame read_frame(const RunFrame& frame) {
     bed.liquid.push_back({.x = liquid.center[c],
                           .volume = liquid.volume[c],
                           .eps = liquid.void_fraction[c],
-                          .u_z = liquid.velocity[c].z});
+                          .u_z = -liquid.velocity[c].z});  // downwards, as in all tables
   }
   return bed;
 }
