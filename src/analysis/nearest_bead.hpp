@@ -24,7 +24,7 @@ class NearestBead {
  private:
   struct Ball {
     Vec3 x;
-    double radius;
+    double radius = 0.0;
   };
   using Cell = std::array<int, 3>;
 

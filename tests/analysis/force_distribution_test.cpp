@@ -64,6 +64,7 @@ TEST(ForceTail, FindsTheSlopeOfAnExponential) {
   Draws draw(5);
   for (const double b : {1.0, 1.4, 2.0}) {
     std::vector<ContactForce> contacts;
+    contacts.reserve(20000);
     for (int k = 0; k < 20000; ++k) {
       contacts.push_back(contact(k, k + 1, {1, 0, 0}, 3e-6 * (1.0 - (1.0 + std::log(draw())) / b)));
     }

@@ -71,17 +71,29 @@ TEST(BeadOverlaps, TellWhenThroatsClose) {
   EXPECT_EQ(figures.caps_meet, 3);
 }
 
-TEST(OverlapFigures, SayWhetherABedCanBeBelieved) {
+/// Five beads in a row, the last one half as large, pressed by 0.02, 0.15, 0.3 and 0.06, which is 0.12 of 0.5.
+struct Row {
   std::vector<Bead> beads;
+  std::vector<ContactForce> contacts;
+};
+
+Row row() {
+  std::vector<Bead> beads;
+  beads.reserve(5);
   for (int k = 0; k < 5; ++k) beads.push_back({{1.0 * k, 0, 0}, k == 4 ? 0.25 : 0.5, k});
   std::vector<ContactForce> contacts;
-  const std::vector<double> overlaps = {0.02, 0.15, 0.3, 0.06};  // the last one is 0.12 of 0.5
+  const std::vector<double> overlaps = {0.02, 0.15, 0.3, 0.06};
   for (std::size_t k = 0; k < overlaps.size(); ++k) {
     const auto id = static_cast<std::int64_t>(k);
     contacts.push_back(contact(id, id + 1, {1.0 - overlaps[k], 0, 0}, 1.0));
     contacts.back().overlap = overlaps[k];
   }
   contacts.back().branch.x = 0.69;
+  return {beads, contacts};
+}
+
+TEST(OverlapFigures, SayWhetherABedCanBeBelieved) {
+  const auto [beads, contacts] = row();
 
   const auto f = overlap_figures(beads, contacts);
 
@@ -92,7 +104,10 @@ TEST(OverlapFigures, SayWhetherABedCanBeBelieved) {
   EXPECT_EQ(f.very_large_share, 0.25);
   EXPECT_EQ(f.caps_meet, 0);
   EXPECT_EQ(overlap_figures(beads, contacts, 0.05).capped_share, 0.4);  // beads 2 and 3
+}
 
+TEST(MostOverlapped, ComeFirst) {
+  const auto [beads, contacts] = row();
   const auto worst = most_overlapped(bead_overlaps(beads, contacts), 3);
   ASSERT_EQ(worst.size(), 3U);
   EXPECT_EQ(worst[0].id, 2);  // as much as bead 3, which has the higher id

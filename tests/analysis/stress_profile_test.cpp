@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "analysis/stress_profile.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
@@ -11,7 +12,17 @@ namespace {
 
 using namespace packbed::test;  // NOLINT
 
+using testing::DoubleNear;
+using testing::Each;
+
 constexpr double area = 3.0;
+
+std::vector<double> axial(const std::vector<StressBin>& bins) {
+  std::vector<double> all;
+  all.reserve(bins.size());
+  for (const auto& bin : bins) all.push_back(bin.axial());
+  return all;
+}
 
 /// Beads of diameter 1 upon each other between z = 0 and z = count, pressed by F.
 std::vector<ContactForce> column(int count, double force) {
@@ -29,11 +40,9 @@ TEST(StressProfile, OfASqueezedColumnOfBeadsIsTheForceOverTheArea) {
   const auto bins = stress_profile(column(5, 6.0), {}, edges, area);
 
   ASSERT_EQ(bins.size(), 5U);
-  for (const auto& bin : bins) {
-    EXPECT_NEAR(bin.axial(), 6.0 / area, 1e-14);
-    EXPECT_EQ(bin.lateral(), 0.0);
-    EXPECT_EQ(bin.lateral_ratio(), 0.0);
-  }
+  EXPECT_THAT(axial(bins), Each(DoubleNear(6.0 / area, 1e-14)));
+  EXPECT_EQ(bins[2].lateral(), 0.0);
+  EXPECT_EQ(bins[2].lateral_ratio(), 0.0);
   EXPECT_EQ(bins[1].z.high, 1.7);
 }
 
@@ -96,9 +105,8 @@ TEST(StressProfile, OfANetworkInEquilibriumIsThatOfTheWalls) {
 TEST(StressProfile, HandsTheAxialForceThroughEverySlab) {
   const Network net(4.0);
   const std::vector<double> edges = {0.0, 0.01, 0.5, 1.3, 2.0, 3.9, 4.0};
-  for (const auto& bin : stress_profile(net.contacts, net.tangential, edges, area)) {
-    EXPECT_NEAR(bin.axial() * area, net.axial_force, 1e-12);
-  }
+  const auto bins = stress_profile(net.contacts, net.tangential, edges, area);
+  EXPECT_THAT(axial(bins), Each(DoubleNear(net.axial_force / area, 1e-12)));
 }
 
 // A bead on top of four, which stand on the floor and lean on side walls: the legs have 45 degrees.
@@ -118,7 +126,7 @@ TEST(StressProfile, HasTheLateralPartOfALeaningFrame) {
 
   const auto bins = stress_profile(contacts, {}, edges, area);
 
-  for (const auto& bin : bins) EXPECT_NEAR(bin.axial(), load / area, 1e-14);
+  EXPECT_THAT(axial(bins), Each(DoubleNear(load / area, 1e-14)));
   EXPECT_EQ(bins[0].lateral(), 0.0);
   // Legs: 2 of 1 N times 1 m along x; the level contacts at z = 1 lie in the slab above: 2 of 1 N times 0.5 m.
   EXPECT_NEAR(bins[1].stress.xx, 3.0 / area, 1e-14);

@@ -31,25 +31,24 @@ double by_trying_all(const std::vector<Bead>& beads, const Vec3& point, const Ve
   return nearest;
 }
 
-TEST(NearestBead, IsTheOneThatTryingAllFinds) {
+void expect_nearest(const std::vector<Bead>& beads, const Vec3& period) {
   Draws draw(4);
+  const NearestBead nearest(beads, period);
+  for (int k = 0; k < 300; ++k) {
+    const Vec3 point{draw(-2e-3, 4e-3), draw(-0.5e-3, 1e-3), draw(-1e-3, 8e-3)};
+    const double expected = by_trying_all(beads, point, period);
+    const double found = nearest.distance(point);
+    // Inside a bead any value <= 0 will do.
+    EXPECT_NEAR(std::max(found, 0.0), std::max(expected, 0.0), 1e-15);
+  }
+}
+
+TEST(NearestBead, IsTheOneThatTryingAllFinds) {
   for (const int count : {1, 3, 40, 400}) {
-    for (const double y_period : {0.0, 0.5e-3}) {
-      const Vec3 period{3e-3, y_period, 0.0};
-      auto beads = cloud(count, {-1e-3, 0, 0}, {2e-3, 0.5e-3, 5e-3}, 7);
-      for (std::size_t k = 0; k < beads.size(); k += 3) beads[k].radius *= 0.1;
-      const NearestBead nearest(beads, period);
-      for (int k = 0; k < 300; ++k) {
-        const Vec3 point{draw(-2e-3, 4e-3), draw(-0.5e-3, 1e-3), draw(-1e-3, 8e-3)};
-        const double expected = by_trying_all(beads, point, period);
-        const double found = nearest.distance(point);
-        if (expected > 0.0) {
-          EXPECT_NEAR(found, expected, 1e-15);
-        } else {
-          EXPECT_LE(found, 0.0);
-        }
-      }
-    }
+    auto beads = cloud(count, {-1e-3, 0, 0}, {2e-3, 0.5e-3, 5e-3}, 7);
+    for (std::size_t k = 0; k < beads.size(); k += 3) beads[k].radius *= 0.1;
+    expect_nearest(beads, {3e-3, 0.0, 0.0});
+    expect_nearest(beads, {3e-3, 0.5e-3, 0.0});
   }
 }
 

@@ -49,7 +49,7 @@ inline analysis::ContactForce turned(const analysis::ContactForce& c) {
 /// The same contacts in another order, every second one told from its other bead (walls have none).
 inline std::vector<analysis::ContactForce> shuffled(std::vector<analysis::ContactForce> contacts) {
   std::ranges::reverse(contacts);
-  std::ranges::rotate(contacts, contacts.begin() + std::ssize(contacts) / 3);
+  std::rotate(contacts.begin(), contacts.begin() + std::ssize(contacts) / 3, contacts.end());
   for (std::size_t k = 0; k < contacts.size(); k += 2) {
     if (!contacts[k].with_wall()) contacts[k] = turned(contacts[k]);
   }
