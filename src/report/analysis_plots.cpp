@@ -212,6 +212,30 @@ PlotGroup force_plots(std::span<const RunData> runs) {
   return group;
 }
 
+std::vector<Rose> direction_roses(std::span<const RunData> runs) {
+  Rose contacts{.title = "Directions of contacts", .radius = "density of contacts, 1 if isotropic"};
+  Rose forces{.title = "Directions of forces",
+              .radius = "density of contacts times their mean force over <F>, 1 if isotropic"};
+  const bool one_run = runs.size() == 1;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    for (const auto k : chosen(runs[r], runs[r].angles, one_run, false)) {
+      const auto& [frame, table] = runs[r].angles[k];
+      const auto& density = table["density"];
+      const auto& force = table["mean_force"];
+      Curve curve{
+          .label = curve_label(runs, r, frame_label(runs[r], frame)), .x = {}, .y = density};
+      curve.color = static_cast<int>(one_run ? k % 8 : r);
+      for (std::size_t i = 0; i < table.rows(); ++i) {
+        curve.x.push_back(0.5 * (table["angle_low_deg"][i] + table["angle_high_deg"][i]));
+      }
+      contacts.curves.push_back(curve);
+      for (std::size_t i = 0; i < table.rows(); ++i) curve.y[i] = density[i] * force[i];
+      forces.curves.push_back(std::move(curve));
+    }
+  }
+  return {std::move(contacts), std::move(forces)};
+}
+
 PlotGroup evenness_plots(std::span<const RunData> runs) {
   PlotGroup group{
       .id = "evenness",

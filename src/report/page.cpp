@@ -75,7 +75,7 @@ std::string case_section(const RunData& run, const UnitSystem& units) {
 }
 
 /// Headings and places of the plots; their data goes to `data`, in the same order.
-std::string plot_section(const PlotGroup& group, Json& data) {
+std::string plot_section(const PlotGroup& group, Json& data, const std::vector<Rose>& roses = {}) {
   if (group.plots.empty()) return {};
   std::string body = fmt::format("<p>{}</p>\n<div class=\"plots\">\n", escaped(group.text));
   for (const auto& plot : group.plots) {
@@ -84,6 +84,7 @@ std::string plot_section(const PlotGroup& group, Json& data) {
         escaped(plot.title), data.size());
     data.push_back(to_json(plot));
   }
+  for (const auto& rose : roses) body += rose_figure(rose);
   return section(group.id, group.title, body + "</div>\n");
 }
 
@@ -117,10 +118,11 @@ std::string page(std::vector<RunData> runs, const UnitSystem& units) {
   body += is_one ? tiles(runs[0]) + case_section(runs[0], units)
                  : scorecard_section(runs) + figure_table(runs) + difference_table(runs);
   auto data = Json::array();
-  for (auto* plots : {flow_plots, plunger_plots, time_plots, section_plots, evenness_plots,
-                      force_plots, profile_plots, check_plots}) {
+  for (auto* plots : {flow_plots, plunger_plots, time_plots, section_plots, evenness_plots}) {
     body += plot_section(plots(runs), data);
   }
+  body += plot_section(force_plots(runs), data, direction_roses(runs));
+  for (auto* plots : {profile_plots, check_plots}) body += plot_section(plots(runs), data);
   if (is_one) body += times_table(runs[0]);
   const auto title = is_one ? escaped(runs[0].title()) : "Comparison of runs";
   return fmt::format(

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "report/plot.hpp"
+#include "report/rose.hpp"
 #include "report/run_data.hpp"
 
 namespace packbed::report {
@@ -23,6 +24,8 @@ PlotGroup time_plots(std::span<const RunData> runs);
 PlotGroup plunger_plots(std::span<const RunData> runs);
 /// What frames tell of forces, directions and stresses.
 PlotGroup force_plots(std::span<const RunData> runs);
+/// Directions of contacts and of the forces that they carry, for the same section.
+std::vector<Rose> direction_roses(std::span<const RunData> runs);
 /// Sections, wall and liquid over the stages, or over the cycles of several runs.
 PlotGroup evenness_plots(std::span<const RunData> runs);
 /// Compression and packing density of the material sections.
