@@ -80,7 +80,8 @@ std::string wall_text(const analysis::Profile& profile) {
 }
 
 std::string velocity_text(const std::vector<analysis::VelocityBin>& bins) {
-  std::string text = "wall_distance_low_m,wall_distance_high_m,cells,interstitial_velocity_m_s,relative\n";
+  std::string text =
+      "wall_distance_low_m,wall_distance_high_m,cells,interstitial_velocity_m_s,relative\n";
   for (const auto& b : bins) {
     if (b.cells == 0) continue;
     text += fmt::format("{},{},{},{},{}\n", b.distance.low, b.distance.high, b.cells, b.mean,

@@ -21,9 +21,10 @@ class RowFinder {
   explicit RowFinder(const report::Columns& series) : time_(series["time_s"]) {}
 
   std::size_t row_of(double time) {
-    const auto [first, end] = std::ranges::equal_range(time_, time);
-    const auto begin = static_cast<std::size_t>(first - time_.begin());
-    const auto after = static_cast<std::size_t>(end - time_.begin());
+    const auto begin =
+        static_cast<std::size_t>(std::ranges::lower_bound(time_, time) - time_.begin());
+    const auto after =
+        static_cast<std::size_t>(std::ranges::upper_bound(time_, time) - time_.begin());
     auto row = std::max(begin, next_);
     if (row >= after) row = std::max<std::size_t>(after, 1) - 1;  // the last one that is not later
     next_ = row + 1;
@@ -137,8 +138,8 @@ std::vector<analysis::Section> sections_at(const report::RunData& run, double ti
   if (run.sections.empty()) return found;
   const auto& times = run.sections["time_s"];
   const auto& number = run.sections["section"];
-  const auto [first, last] = std::ranges::equal_range(times, time);
-  for (auto at = first; at != last; ++at) {
+  const auto last = std::ranges::upper_bound(times, time);
+  for (auto at = std::ranges::lower_bound(times, time); at != last; ++at) {
     const auto row = static_cast<std::size_t>(at - times.begin());
     if (number[row] == 1.0) found.clear();
     found.push_back({.section = static_cast<int>(number[row]),

@@ -42,6 +42,7 @@ struct ContactLine {
   double tangential_force = 0.0;  ///< amount [N]
   double overlap = 0.0;           ///< [m]
   Vec3 tangential;                ///< force on bead i along the surface [N]
+  bool operator==(const ContactLine&) const = default;
 };
 
 /// What stands for a wall where ids of beads stand: -1 for wall 0, -2 for wall 1 ...

@@ -12,13 +12,13 @@ namespace {
 
 /// One table per frame: a column of it against another.
 struct OfFrames {
-  const char* title;
+  const char* title = "";
   Axis x;
   Axis y;
-  std::vector<Profile> RunData::*tables;
-  const char* low;  ///< columns whose mean is x
-  const char* high;
-  const char* column;
+  std::vector<Profile> RunData::*tables = nullptr;
+  const char* low = "";  ///< columns whose mean is x
+  const char* high = "";
+  const char* column = "";
   double per_x = 1.0;  ///< from SI to the unit of the axis
   double per_y = 1.0;
 };
@@ -82,9 +82,9 @@ const OfFrames of_liquid[] = {{"Velocity near the wall",
 
 /// A figure of each frame against its stage.
 struct OfStages {
-  const char* title;
-  const char* axis;
-  const char* column;
+  const char* title = "";
+  const char* axis = "";
+  const char* column = "";
   double factor = 1.0;
   bool logarithmic = false;
 };

@@ -136,8 +136,8 @@ void add(Scorecard& card, Criterion criterion, const std::vector<double>& values
 
 template <class Value>
 std::vector<double> each(const std::vector<RunData>& runs, const Value& value) {
-  std::vector<double> values;
-  for (const auto& run : runs) values.push_back(value(run));
+  std::vector<double> values(runs.size());
+  std::ranges::transform(runs, values.begin(), value);
   return values;
 }
 

@@ -66,7 +66,7 @@ class Analyze : public testing::Test {
     fs::copy(path("bed"), path(name), fs::copy_options::recursive);
   }
 
-  static test::TemporaryFolder* folder_;
+  static test::TemporaryFolder* folder_;  // NOLINT(readability-identifier-naming): private
 };
 test::TemporaryFolder* Analyze::folder_ = nullptr;
 
@@ -92,24 +92,33 @@ TEST_F(Analyze, IsDoneByARunAtTheEndsOfItsStages) {
   EXPECT_EQ(rows[1].at("stage"), 2.0);
   EXPECT_EQ(rows[1].at("packing_end"), 1.0);
   EXPECT_EQ(rows[0].at("S_init"), 0.0);
-  EXPECT_GT(rows[1].at("S_init"), 0.0);
-  for (const auto& [name, value] : rows[1]) EXPECT_TRUE(std::isfinite(value)) << name;
-  EXPECT_GT(rows[1].at("sigma_z2_m2_s2"), 0.0);
-  EXPECT_GT(rows[1].at("coordination"), 3.0);
-  EXPECT_GE(rows[1].at("coordination_without_rattlers"), rows[1].at("coordination"));
+  EXPECT_THAT(read_text_file(path("bed/report.html")),
+              AllOf(HasSubstr("Forces in the bed"), HasSubstr("How even the bed is")));
+}
+
+TEST_F(Analyze, FindsAllFiguresOfABedInAFlow) {
+  const auto row = rows_of(path("bed/analysis/analysis.csv")).back();
+
+  for (const auto& [name, value] : row) EXPECT_TRUE(std::isfinite(value)) << name;
+  EXPECT_GT(row.at("S_init"), 0.0);
+  EXPECT_GT(row.at("sigma_z2_m2_s2"), 0.0);
+  EXPECT_GT(row.at("coordination"), 3.0);
+  EXPECT_GE(row.at("coordination_without_rattlers"), row.at("coordination"));
+}
+
+TEST_F(Analyze, WritesTablesOfEachFrame) {
+  const auto folder = path("bed/analysis");
   for (const auto* table : {"forces", "angles", "stress", "wall_porosity"}) {
     for (const auto* number : {"_000001.csv", "_000002.csv"}) {
-      EXPECT_GT(CsvTable(path("bed/analysis") / (std::string(table) + number)).rows(), 2U) << table;
+      EXPECT_GT(CsvTable(folder / (std::string(table) + number)).rows(), 2U) << table;
     }
   }
-  EXPECT_TRUE(fs::exists(path("bed/analysis/wall_velocity_000002.csv")));
-  EXPECT_FALSE(fs::exists(path("bed/analysis/wall_velocity_000001.csv")));  // no liquid yet
-  const auto moved = rows_of(path("bed/analysis/rearrangement.csv"));
+  EXPECT_TRUE(fs::exists(folder / "wall_velocity_000002.csv"));
+  EXPECT_FALSE(fs::exists(folder / "wall_velocity_000001.csv"));  // no liquid yet
+  const auto moved = rows_of(folder / "rearrangement.csv");
   ASSERT_EQ(moved.size(), 1U);
   EXPECT_EQ(moved[0].at("beads"), 80.0);
   EXPECT_GT(moved[0].at("non_affine_m"), 0.0);
-  EXPECT_THAT(read_text_file(path("bed/report.html")),
-              AllOf(HasSubstr("Forces in the bed"), HasSubstr("How even the bed is")));
 }
 
 // The floor carries what the lowest slab passes on; frames hold seven digits.
@@ -158,29 +167,30 @@ TEST_F(Analyze, TakesOneFrameOrAllAndPrintsJson) {
 }
 
 TEST_F(Analyze, SaysOnOneLineWhatIsMissing) {
-  const auto says = [&](const std::string& arguments, int code) {
+  for (const auto* name : {"not_ended", "bare", "cut", "gone"}) copy_run(name);
+  fs::remove(path("not_ended/summary.json"));
+  fs::remove_all(path("bare/frames"));
+  fs::resize_file(path("cut/frames/contacts_000002.hdf"), 900);
+  fs::remove(path("gone/frames/beads_000001.hdf"));
+  struct Mistake {
+    const char* arguments;
+    int code;
+    const char* message;
+  };
+  const Mistake mistakes[] = {
+      {"analyze none", 3, "none: there is no such folder"},
+      {"analyze bed --frame 9", 1, "bed: there is no frame 9; the last one is 2"},
+      {"analyze not_ended", 3, "not_ended: this run has not ended"},
+      {"analyze bare", 3, "bare: this run has no frames; run the case again with frames = true"},
+      {"analyze cut", 3, "cut/frames/contacts_000002.hdf: opening failed"},
+      {"analyze gone", 3, "beads_000001.hdf: this frame is missing"},
+      {"compare bed", 1, "compare takes the folders of two runs or more"}};
+  for (const auto& [arguments, code, message] : mistakes) {
     const auto outcome = packbed(arguments);
     EXPECT_EQ(outcome.code, code) << arguments;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    return outcome.err;
-  };
-  EXPECT_THAT(says("analyze none", 3), HasSubstr("none: there is no such folder"));
-  EXPECT_THAT(says("analyze bed --frame 9", 1),
-              HasSubstr("bed: there is no frame 9; the last one is 2"));
-  copy_run("not_ended");
-  fs::remove(path("not_ended/summary.json"));
-  EXPECT_THAT(says("analyze not_ended", 3), HasSubstr("not_ended: this run has not ended"));
-  copy_run("bare");
-  fs::remove_all(path("bare/frames"));
-  EXPECT_THAT(says("analyze bare", 3),
-              HasSubstr("bare: this run has no frames; run the case again with frames = true"));
-  copy_run("cut");
-  fs::resize_file(path("cut/frames/contacts_000002.hdf"), 900);
-  EXPECT_THAT(says("analyze cut", 3), HasSubstr("cut/frames/contacts_000002.hdf: opening failed"));
-  copy_run("gone");
-  fs::remove(path("gone/frames/beads_000001.hdf"));
-  EXPECT_THAT(says("analyze gone", 3), HasSubstr("beads_000001.hdf: this frame is missing"));
-  EXPECT_THAT(says("compare bed", 1), HasSubstr("compare takes the folders of two runs or more"));
+    EXPECT_THAT(outcome.err, HasSubstr(message));
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+  }
 }
 
 TEST_F(Analyze, IsLeftOutWhereTheCaseSaysSo) {

@@ -65,17 +65,7 @@ TEST_F(ReadFrames, GiveContactsAsTheyWereWritten) {
 
     EXPECT_EQ(stored.time, 2.0);
     EXPECT_TRUE(stored.has_tangential_vectors);
-    ASSERT_EQ(stored.contacts.size(), 2U);
-    for (std::size_t k = 0; k < 2; ++k) {
-      EXPECT_EQ(stored.contacts[k].from, lines[k].from);
-      EXPECT_EQ(stored.contacts[k].to, lines[k].to);
-      EXPECT_EQ(stored.contacts[k].id_i, lines[k].id_i);
-      EXPECT_EQ(stored.contacts[k].id_j, lines[k].id_j);
-      EXPECT_EQ(stored.contacts[k].normal_force, lines[k].normal_force);
-      EXPECT_EQ(stored.contacts[k].tangential_force, lines[k].tangential_force);
-      EXPECT_EQ(stored.contacts[k].tangential, lines[k].tangential);
-      EXPECT_EQ(stored.contacts[k].overlap, lines[k].overlap);
-    }
+    EXPECT_EQ(stored.contacts, lines);
   }
 }
 
@@ -87,6 +77,15 @@ TEST_F(ReadFrames, GiveSingleNumbersToSevenDigits) {
 
   EXPECT_EQ(stored.time, 0.1);
   EXPECT_EQ(stored.contacts[0].normal_force, static_cast<double>(1e-5F));
+}
+
+void expect_the_cells_of(const mesh::ColumnMesh& mesh, const StoredLiquid& liquid) {
+  ASSERT_EQ(liquid.volume.size(), static_cast<std::size_t>(mesh.cell_count()));
+  for (std::size_t c = 0; c < liquid.volume.size(); ++c) {
+    const auto cell = static_cast<std::int64_t>(c);
+    EXPECT_NEAR(liquid.volume[c], mesh.volume(cell), 1e-9 * mesh.volume(cell));
+    EXPECT_LT(norm(liquid.center[c] - mesh.center(cell)), 1e-9 * mesh.top());
+  }
 }
 
 TEST_F(ReadFrames, GiveTheCellsOfALiquid) {
@@ -110,12 +109,7 @@ TEST_F(ReadFrames, GiveTheCellsOfALiquid) {
 
     const auto liquid = read_liquid_frame(path("l.hdf"));
 
-    ASSERT_EQ(liquid.volume.size(), cells);
-    for (std::size_t c = 0; c < cells; ++c) {
-      const auto cell = static_cast<std::int64_t>(c);
-      EXPECT_NEAR(liquid.volume[c], mesh.volume(cell), 1e-9 * mesh.volume(cell));
-      EXPECT_LT(norm(liquid.center[c] - mesh.center(cell)), 1e-9 * mesh.top());
-    }
+    expect_the_cells_of(mesh, liquid);
     EXPECT_EQ(liquid.void_fraction, eps);
     EXPECT_EQ(liquid.velocity, u);
     EXPECT_EQ(liquid.pressure, p);
@@ -143,21 +137,22 @@ TEST_F(ReadFrames, ListThoseOfASeriesWithTheirNumbers) {
 }
 
 TEST_F(ReadFrames, RefuseWhatIsNoFrameOnOneLine) {
-  const auto of = [&](const std::string& name) {
-    return message_of([&] { static_cast<void>(read_bead_frame(path(name))); });
-  };
-  EXPECT_THAT(of("none.hdf"), HasSubstr("none.hdf: opening failed"));
   (void)folder_.file("text.hdf", "hello");
-  EXPECT_THAT(of("text.hdf"), HasSubstr("text.hdf: opening failed"));
   write_contact_frame(path("c.hdf"), {.time = 0.0, .contacts = {}});
-  EXPECT_THAT(of("c.hdf"), HasSubstr("c.hdf: it is no frame of beads, or it is damaged (it has no "
-                                     "array \"PointData/radius_m\")"));
   radius_[1] = 0.0;
   write_beads("zero.hdf");
-  EXPECT_THAT(of("zero.hdf"), HasSubstr("(a radius is not positive)"));
   radius_[1] = std::nan("");
   write_beads("nan.hdf");
-  EXPECT_THAT(of("nan.hdf"), HasSubstr("\"PointData/radius_m\" has a value that is not finite"));
+  const std::pair<const char*, const char*> files[] = {
+      {"none.hdf", "none.hdf: opening failed"},
+      {"text.hdf", "text.hdf: opening failed"},
+      {"c.hdf", "c.hdf: it is no frame of beads, or it is damaged (it has no array"},
+      {"zero.hdf", "(a radius is not positive)"},
+      {"nan.hdf", "\"PointData/radius_m\" has a value that is not finite"}};
+  for (const auto& [file, message] : files) {
+    EXPECT_THAT(message_of([&] { static_cast<void>(read_bead_frame(path(file))); }),
+                HasSubstr(message));
+  }
 }
 
 TEST_F(ReadFrames, RefuseOnesThatWereCutOff) {
