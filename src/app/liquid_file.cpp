@@ -10,7 +10,7 @@ namespace packbed::app {
 namespace {
 
 constexpr std::size_t cell_width = 14;
-constexpr std::size_t face_width = 3;
+constexpr std::size_t face_width = 4;
 
 void append(std::vector<double>& values, const Vec3& a) {
   values.insert(values.end(), {a.x, a.y, a.z});
@@ -40,7 +40,7 @@ void write_fluid_state(io::CheckpointWriter& writer, const fluid::FluidState& st
   values.clear();
   for (const auto& f : share.faces) {
     faces.insert(faces.end(), {f.face, f.owner});
-    values.insert(values.end(), {f.q, f.pressure, f.conductance});
+    values.insert(values.end(), {f.q, f.flux, f.pressure, f.conductance});
   }
   writer.array("liquid/face", faces, 2);
   writer.array("liquid/face_values", values, face_width);
@@ -75,8 +75,9 @@ fluid::FluidState read_fluid_state(const io::CheckpointReader& reader) {
     s.faces.push_back({.face = faces[2 * k],
                        .owner = faces[2 * k + 1],
                        .q = v[0],
-                       .pressure = v[1],
-                       .conductance = v[2]});
+                       .flux = v[1],
+                       .pressure = v[2],
+                       .conductance = v[3]});
   }
   return s;
 }

@@ -9,6 +9,7 @@
 
 #include "analysis/profile.hpp"
 #include "app/stages.hpp"
+#include "column/plunger.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "io/bead_csv.hpp"
@@ -26,7 +27,10 @@ double ratio(double a, double b) { return b > 0.0 ? a / b : 0.0; }
 
 std::array<double, 3> as_array(const Vec3& a) { return {a.x, a.y, a.z}; }
 
-std::vector<std::string> columns(const dem::Dem& dem, bool has_bed, bool has_liquid) {
+std::vector<std::string> columns(const dem::Dem& dem,
+                                 bool has_bed,
+                                 bool has_liquid,
+                                 bool has_plunger) {
   std::vector<std::string> names = {"time_s", "step", "stage"};
   if (has_liquid) {
     names.insert(names.end(),
@@ -36,6 +40,10 @@ std::vector<std::string> columns(const dem::Dem& dem, bool has_bed, bool has_liq
   if (has_bed) {
     names.insert(names.end(), {"bed_height_m", "compression", "mean_porosity", "middle_porosity",
                                "floor_force_N", "wall_shear_N", "budget_error"});
+  }
+  if (has_plunger) {
+    names.insert(names.end(), {"plunger_position_m", "plunger_compression", "plunger_force_N",
+                               "plunger_pressure_Pa"});
   }
   names.insert(names.end(), {"mean_overlap_m", "max_overlap_ratio", "coordination_number",
                              "kinetic_energy_J", "elastic_energy_J", "kinetic_to_elastic",
@@ -75,6 +83,15 @@ Support support_of(const dem::Dem& dem, const dem::Snapshot& s) {
   return support;
 }
 
+RowFigures::Plunger plunger_of(const dem::Dem& dem, const dem::Snapshot& s) {
+  for (std::size_t w = 0; w < s.wall_force.size(); ++w) {
+    if (dem.walls()[w].name != "lid") continue;
+    return {.position = column::plunger_position(dem.walls()).value_or(0.0),
+            .force = s.wall_force[w].z};
+  }
+  return {};
+}
+
 /// Share of a mean diameter that bins of profiles are wide.
 constexpr double bin_of_diameter = 0.1;
 
@@ -112,7 +129,7 @@ Json to_json(const RowFigures& f) {
           f.coordination_number,    f.budget_error,          f.bed.height,
           f.bed.mean_porosity,      f.bed.middle_porosity,   f.settled_height,
           f.settled_porosity,       f.highest_flow.velocity, f.highest_flow.pressure_drop,
-          f.highest_flow.bed_height};
+          f.highest_flow.bed_height, f.plunger.position,   f.plunger.force};
 }
 
 RowFigures row_figures_from(const Json& saved) {
@@ -124,6 +141,7 @@ RowFigures row_figures_from(const Json& saved) {
           .bed = {.height = saved[5], .mean_porosity = saved[6], .middle_porosity = saved[7]},
           .settled_height = saved[8],
           .settled_porosity = saved[9],
+          .plunger = {saved[13], saved[14]},
           .liquid = {},
           .highest_flow = {saved[10], saved[11], saved[12]}};
 }
@@ -137,8 +155,9 @@ Outputs::Outputs(const setup::Case& c,
     : case_(c),
       folder_(folder),
       has_bed_(std::ranges::any_of(dem.walls(), [](const auto& w) { return w.name == "floor"; })),
-      has_liquid_(has_flow(c)) {
-  columns_ = columns(dem, has_bed_, has_liquid_);
+      has_liquid_(has_flow(c)),
+      has_plunger_(any_plunger(c)) {
+  columns_ = columns(dem, has_bed_, has_liquid_, has_plunger_);
   if (dem.ranks().is_first() && c.output.beads_csv) {
     std::filesystem::create_directories(folder / "frames");
   }
@@ -163,6 +182,7 @@ void Outputs::row(const dem::Dem& dem, const column::CoupledBed* liquid, std::in
   if (liquid != nullptr && std::abs(velocity) >= std::abs(figures_.highest_flow.velocity)) {
     figures_.highest_flow = {velocity, figures_.liquid.pressure_drop, figures_.bed.height};
   }
+  figures_.plunger = plunger_of(dem, s);
   auto support = support_of(dem, s);
   support.load += figures_.liquid.pressure_force;
   figures_.kinetic_to_elastic = ratio(s.kinetic_energy, s.elastic_energy);
@@ -189,6 +209,13 @@ void Outputs::row(const dem::Dem& dem, const column::CoupledBed* liquid, std::in
       row.insert(row.end(), {figures_.bed.height, compression, figures_.bed.mean_porosity,
                              figures_.bed.middle_porosity, support.floor, support.shear,
                              figures_.budget_error});
+    }
+    if (has_plunger_) {
+      const auto& p = figures_.plunger;
+      const double h0 = figures_.settled_height;
+      const io::Cell share = h0 > 0.0 ? io::Cell(1.0 - p.position / h0) : io::Cell(std::string());
+      row.insert(row.end(),
+                 {p.position, share, p.force, p.force / mesh::cross_section(case_.column.shape)});
     }
     row.insert(row.end(), {s.mean_overlap, s.max_overlap_ratio, s.coordination_number,
                            s.kinetic_energy, s.elastic_energy, figures_.kinetic_to_elastic,

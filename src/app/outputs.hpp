@@ -35,6 +35,11 @@ struct RowFigures {
   analysis::BedFigures bed;       ///< where there is a floor
   double settled_height = 0.0;    ///< H0, at the end of the last settling; 0 before [m]
   double settled_porosity = 0.0;  ///< of the middle half then
+  /// The plunger, in cases that move it.
+  struct Plunger {
+    double position = 0.0;  ///< of its face [m]
+    double force = 0.0;     ///< of the beads on it, upwards [N]
+  } plunger{};
   column::LiquidFigures liquid;
   /// The last row of those with the highest flow.
   struct Flow {
@@ -89,6 +94,7 @@ class Outputs {
   std::vector<std::string> columns_;
   bool has_bed_;  ///< a floor
   bool has_liquid_;
+  bool has_plunger_;  ///< one that moves
   std::optional<io::SeriesWriter> series_;
   std::optional<io::SeriesWriter> sections_;
   std::optional<PlateauOutputs> plateaus_;

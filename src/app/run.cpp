@@ -50,6 +50,10 @@ void add_results(nlohmann::ordered_json& summary, const RunSummary& r) {
     summary["pressure_drop_at_highest_flow_Pa"] = f.highest_flow.pressure_drop;
     summary["bed_height_at_highest_flow_m"] = f.highest_flow.bed_height;
   }
+  if (r.has_plunger) {
+    summary["plunger_position_m"] = f.plunger.position;
+    summary["plunger_force_N"] = f.plunger.force;
+  }
   summary["warnings"] = r.warnings;
   summary["timings"] = to_json(r.timings);
   summary["wall_time_s"] = r.wall_time;
@@ -109,11 +113,9 @@ void tell_prepared(const setup::Case& c, const std::filesystem::path& folder, in
     fmt::print("-n {} has no effect on a case that is only prepared.\n", ranks_asked);
   }
   fmt::print(
-      "NOT SIMULATED: packbed {} carries out the steps \"settle\", \"tap\", \"run\", \"flow_ramp\" "
-      "and "
-      "\"hold\". The plunger is not there yet, so none of the {} steps was carried out.\n"
+      "NOT SIMULATED: the case has no beads, so none of its {} steps was carried out.\n"
       "Written: {}/case.toml (every value filled in), {}/summary.json\n",
-      version, c.protocol.size(), folder.string(), folder.string());
+      c.protocol.size(), folder.string(), folder.string());
 }
 
 /// Whether results of a run that ended are there.

@@ -96,9 +96,14 @@ fs::path write_checkpoint(const setup::Case& c,
                           int keep) {
   const auto place = folder_of_checkpoints(folder);
   io::CheckpointWriter writer(place, dem.steps(), dem.ranks());
-  const Json run = {{"version", version},       {"case", identity_of(c)},
-                    {"stage", state.stage},     {"stage_state", state.stage_state},
-                    {"outputs", state.outputs}, {"warnings", state.warnings}};
+  const Json run = {{"version", version},
+                    {"case", identity_of(c)},
+                    {"stage", state.stage},
+                    {"stage_state", state.stage_state},
+                    {"outputs", state.outputs},
+                    {"warnings", state.warnings},
+                    {"settled_height", state.bed.settled_height},
+                    {"height", state.bed.height}};
   writer.text("run", run.dump(-1, ' ', false, Json::error_handler_t::replace));
   io::write_dem_state(writer, dem::in_order_of_ids(dem.state(), dem.ranks()));
   if (liquid != nullptr) write_fluid_state(writer, liquid->save());
@@ -169,7 +174,8 @@ LoadedCheckpoint read_checkpoint(const setup::Case& c, const fs::path& folder) {
       .state = {.stage = run.at("stage"),
                 .stage_state = run.at("stage_state"),
                 .outputs = run.at("outputs"),
-                .warnings = run.at("warnings").get<std::vector<std::string>>()}};
+                .warnings = run.at("warnings").get<std::vector<std::string>>(),
+                .bed = {.settled_height = run.at("settled_height"), .height = run.at("height")}}};
 }
 
 }  // namespace packbed::app

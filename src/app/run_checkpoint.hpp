@@ -15,6 +15,7 @@
 #include "column/coupled_bed.hpp"
 #include "dem/dem.hpp"
 #include "setup/case.hpp"
+#include "setup/make_packing.hpp"
 
 namespace packbed::app {
 
@@ -24,6 +25,7 @@ struct RunState {
   nlohmann::ordered_json stage_state;  ///< null: it has not begun
   nlohmann::ordered_json outputs;      ///< Outputs::save()
   std::vector<std::string> warnings;   ///< so far
+  setup::PackedBed bed;                ///< as the stage began
 };
 
 /// Writes checkpoints/STEP.h5 in the run's folder and takes all but the last two away. All ranks call.

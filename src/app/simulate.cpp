@@ -13,6 +13,7 @@
 #include "app/stages.hpp"
 #include "app/stop_signal.hpp"
 #include "app/timings.hpp"
+#include "column/plunger.hpp"
 #include "core/error.hpp"
 #include "core/version.hpp"
 #include "dem/inertia_scale.hpp"
@@ -67,6 +68,7 @@ class Simulation {
             .inertia_scale = dem_->options().inertia_scale,
             .beads = dem_->bead_count(),
             .has_flow = has_flow(c_),
+            .has_plunger = any_plunger(c_),
             .figures = outputs_->figures(),
             .warnings = now_.warnings,
             .timings = timings_,
@@ -103,8 +105,9 @@ class Simulation {
     now_ = saved.state;
     if (now_.stage == stages_) prune_checkpoints(folder_, 1);  // which it was killed before
     timings_ = read_timings(folder_);
-    dem_.emplace(setup::options_of(c_, choice_.step), saved.beads, dem::Dem::Lists::as_saved,
-                 Ranks::all());
+    const auto options = setup::options_of(c_, choice_.step);
+    if (saved.liquid && options.mesh) options.mesh->set_top(saved.liquid->top);
+    dem_.emplace(options, saved.beads, dem::Dem::Lists::as_saved, Ranks::all());
     if (saved.liquid) {
       liquid_ = make_liquid();
       liquid_->load(*saved.liquid, *dem_);
@@ -123,7 +126,11 @@ class Simulation {
 
   void carry_out_stage() {
     enter_or_leave_liquid();
-    const auto stage = make_stage(c_, now_.stage, choice_, liquid_.get());
+    if (now_.stage_state.is_null()) {
+      now_.bed = {.settled_height = outputs_->figures().settled_height,
+                  .height = outputs_->figures().bed.height};
+    }
+    const auto stage = make_stage(c_, now_.stage, now_.bed, choice_, liquid_.get());
     clock_.emplace(entry_of(timings_, now_.stage + 1, stage->name()), liquid_.get());
     if (now_.stage_state.is_null()) {
       clock_->advance.time([&] { stage->begin(*dem_); });
@@ -161,16 +168,20 @@ class Simulation {
       if (!liquid_) liquid_ = make_liquid();
       return;
     }
-    if (!dem_->particles().in_liquid) return;
-    liquid_.reset();
-    dem_->set_in_liquid(false);
+    if (dem_->particles().in_liquid) {
+      liquid_.reset();
+      dem_->set_in_liquid(false);
+    } else if (moves_plunger(c_, now_.stage) || now_.stage == 0 ||
+               !moves_plunger(c_, now_.stage - 1)) {
+      return;
+    }
     dem_->set_inertia_scale(c_.numerics.inertia_scale.value_or(1.0));
     dem_->set_step(choice_.step);
   }
 
   [[nodiscard]] std::unique_ptr<column::CoupledBed> make_liquid() const {
-    return std::unique_ptr<column::CoupledBed>(
-        new column::CoupledBed(setup::make_coupled_bed(c_, Ranks::all())));
+    return std::unique_ptr<column::CoupledBed>(new column::CoupledBed(
+        setup::make_coupled_bed(c_, column::plunger_position(dem_->walls()), Ranks::all())));
   }
 
   // Whether the beads still move as if their inertia did not count.

@@ -23,6 +23,7 @@ struct RunSummary {
   double inertia_scale = 1.0;  ///< the last one
   std::int64_t beads = 0;      ///< at the end
   bool has_flow = false;
+  bool has_plunger = false;  ///< one that moves
   RowFigures figures;
   std::vector<std::string> warnings;
   std::vector<StageTimings> timings;

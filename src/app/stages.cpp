@@ -7,11 +7,13 @@
 #include <limits>
 
 #include "column/protocol/flow_stage.hpp"
+#include "column/protocol/plunger_stage.hpp"
 #include "column/protocol/run.hpp"
 #include "column/protocol/settle_stage.hpp"
 #include "column/protocol/tap_stage.hpp"
 #include "setup/any_flow.hpp"
 #include "setup/make_liquid.hpp"
+#include "setup/make_packing.hpp"
 #include "setup/make_settle.hpp"
 
 namespace packbed::app {
@@ -23,11 +25,14 @@ constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
 
 std::int64_t count(const Steps& steps);
 
+std::int64_t times(std::int64_t a, std::int64_t b) { return a > most / b ? most : a * b; }
+
+/// Stages of a step.
 std::int64_t count(const setup::ProtocolStep& step) {
+  if (std::holds_alternative<setup::FlowPack>(step.what)) return 3;
+  if (const auto* cycle = std::get_if<setup::Cycle>(&step.what)) return times(cycle->count, 2);
   const auto* repeat = std::get_if<setup::Repeat>(&step.what);
-  if (repeat == nullptr) return 1;
-  const auto inner = count(repeat->steps);
-  return inner > most / repeat->count ? most : inner * repeat->count;
+  return repeat == nullptr ? 1 : times(repeat->count, count(repeat->steps));
 }
 
 std::int64_t count(const Steps& steps) {
@@ -39,7 +44,13 @@ std::int64_t count(const Steps& steps) {
   return sum;
 }
 
-const setup::ProtocolStep& find(const Steps& steps, std::int64_t k) {
+/// A stage: part k of a step.
+struct Part {
+  const setup::ProtocolStep& step;
+  std::int64_t k = 0;
+};
+
+Part find(const Steps& steps, std::int64_t k) {
   for (const auto& step : steps) {
     const auto here = count(step);
     if (k >= here) {
@@ -47,30 +58,50 @@ const setup::ProtocolStep& find(const Steps& steps, std::int64_t k) {
       continue;
     }
     const auto* repeat = std::get_if<setup::Repeat>(&step.what);
-    return repeat == nullptr ? step : find(repeat->steps, k % count(repeat->steps));
+    return repeat == nullptr ? Part{step, k} : find(repeat->steps, k % count(repeat->steps));
   }
   assert(false && "no such stage");
-  return steps.back();
+  return {steps.back()};
 }
+
+Part part(const setup::Case& c, std::int64_t k) { return find(c.protocol, k); }
 
 // Measured: beds of 8 to 31 mm take about so many from the cloud to rest.
 constexpr double steps_of_a_settling = 2.5e5;
 constexpr double steps_of_a_tap = 5e4;
 constexpr double steps_longer_in_a_flow = 30.0;  // inertia is scaled by some 1000
 constexpr double usual_plateau = 0.5;            // until steady [s]
+constexpr double usual_way = 0.1;                // of the plunger, over the height of the column
 
 double steps_of(const setup::Case& c, const setup::ProtocolStep& step, double dt) {
+  const double flow_step = steps_longer_in_a_flow * dt;
+  const auto plateau = [&](const std::optional<double>& hold) {
+    return hold.value_or(usual_plateau) / flow_step;
+  };
+  const auto move = [&](double speed) {
+    return usual_way * mesh::height(c.column.shape) / (speed * flow_step);
+  };
   if (const auto* run = std::get_if<setup::Run>(&step.what)) {
     return static_cast<double>(column::plan_run(run->duration, dt, c.output.interval).steps);
   }
   if (const auto* tap = std::get_if<setup::Tap>(&step.what)) {
     return steps_of_a_tap * static_cast<double>(tap->count + 1);
   }
-  const double flow_step = steps_longer_in_a_flow * dt;
   if (const auto* ramp = std::get_if<setup::FlowRamp>(&step.what)) {
-    return static_cast<double>(ramp->steps) * ramp->hold.value_or(usual_plateau) / flow_step;
+    return static_cast<double>(ramp->steps) * plateau(ramp->hold);
   }
   if (const auto* hold = std::get_if<setup::Hold>(&step.what)) return hold->duration / flow_step;
+  if (const auto* compress = std::get_if<setup::Compress>(&step.what)) {
+    return move(compress->move.speed);
+  }
+  if (const auto* relax = std::get_if<setup::Relax>(&step.what)) return move(relax->move.speed);
+  if (const auto* pack = std::get_if<setup::FlowPack>(&step.what)) {
+    return static_cast<double>(pack->steps + 1) * plateau(pack->hold) / 3.0;  // of three stages
+  }
+  if (const auto* cycle = std::get_if<setup::Cycle>(&step.what)) {
+    return 0.5 * (plateau(cycle->high_duration) + plateau(cycle->low_duration));
+  }
+  if (std::holds_alternative<setup::Store>(step.what)) return plateau(std::nullopt);
   return steps_of_a_settling;
 }
 
@@ -79,7 +110,7 @@ double steps_of_all(const setup::Case& c, const Steps& steps, double dt) {
   for (const auto& step : steps) {
     const auto* repeat = std::get_if<setup::Repeat>(&step.what);
     total += repeat == nullptr
-                 ? steps_of(c, step, dt)
+                 ? static_cast<double>(count(step)) * steps_of(c, step, dt)
                  : static_cast<double>(repeat->count) * steps_of_all(c, repeat->steps, dt);
   }
   return total;
@@ -88,49 +119,80 @@ double steps_of_all(const setup::Case& c, const Steps& steps, double dt) {
 /// Velocity with which stage k begins [m/s].
 double flow_before(const setup::Case& c, std::int64_t k) {
   for (--k; k >= 0; --k) {
-    const auto& what = protocol_step(c, k).what;
-    if (const auto* ramp = std::get_if<setup::FlowRamp>(&what)) return ramp->to;
-    const auto* hold = std::get_if<setup::Hold>(&what);
+    const auto [step, n] = part(c, k);
+    if (const auto* ramp = std::get_if<setup::FlowRamp>(&step.what)) return ramp->to;
+    if (const auto* cycle = std::get_if<setup::Cycle>(&step.what)) {
+      return n % 2 == 0 ? cycle->high : cycle->low;
+    }
+    if (const auto* compress = std::get_if<setup::Compress>(&step.what)) return compress->move.flow;
+    if (const auto* relax = std::get_if<setup::Relax>(&step.what)) return relax->move.flow;
+    const auto* hold = std::get_if<setup::Hold>(&step.what);
     if (hold != nullptr && hold->flow) return *hold->flow;
-    if (hold == nullptr) return 0.0;  // other steps are without a flow
+    if (hold == nullptr) return 0.0;  // other steps end without a flow
   }
   return 0.0;
-}
-
-bool are_known(const Steps& steps) {
-  return std::ranges::all_of(steps, [](const auto& s) {
-    const auto* repeat = std::get_if<setup::Repeat>(&s.what);
-    return std::holds_alternative<setup::Run>(s.what) ||
-           std::holds_alternative<setup::Settle>(s.what) ||
-           std::holds_alternative<setup::Tap>(s.what) ||
-           std::holds_alternative<setup::FlowRamp>(s.what) ||
-           std::holds_alternative<setup::Hold>(s.what) ||
-           (repeat != nullptr && are_known(repeat->steps));
-  });
 }
 
 }  // namespace
 
 std::int64_t stage_count(const setup::Case& c) { return count(c.protocol); }
 
-const setup::ProtocolStep& protocol_step(const setup::Case& c, std::int64_t k) {
-  return find(c.protocol, k);
-}
+bool has_flow(const setup::Case& c) { return setup::any_flow(c.protocol, c.liquid.has_value()); }
 
-bool has_flow(const setup::Case& c) { return setup::any_flow(c.protocol); }
-
+// A column that stands still after a step with a flow stays wet: its bed comes to rest in the liquid.
 bool has_flow(const setup::Case& c, std::int64_t k) {
-  const auto& what = protocol_step(c, k).what;
-  if (std::holds_alternative<setup::FlowRamp>(what)) return true;
-  const auto* hold = std::get_if<setup::Hold>(&what);
-  return hold != nullptr && hold->flow.value_or(flow_before(c, k)) != 0.0;
+  const auto& step = part(c, k).step;
+  if (setup::makes_flow(step, c.liquid.has_value())) return true;
+  return std::holds_alternative<setup::Hold>(step.what) && k > 0 && has_flow(c, k - 1);
 }
+
+bool moves_plunger(const setup::Case& c, std::int64_t k) {
+  const auto [step, n] = part(c, k);
+  return std::holds_alternative<setup::Compress>(step.what) ||
+         std::holds_alternative<setup::Relax>(step.what) ||
+         (std::holds_alternative<setup::FlowPack>(step.what) && n == 1);
+}
+
+bool any_plunger(const setup::Case& c) {
+  const auto any = [](const auto& self, const Steps& steps) -> bool {
+    return std::ranges::any_of(steps, [&](const setup::ProtocolStep& step) {
+      const auto* repeat = std::get_if<setup::Repeat>(&step.what);
+      return std::holds_alternative<setup::Compress>(step.what) ||
+             std::holds_alternative<setup::Relax>(step.what) ||
+             std::holds_alternative<setup::FlowPack>(step.what) ||
+             (repeat != nullptr && self(self, repeat->steps));
+    });
+  };
+  return any(any, c.protocol);
+}
+
+namespace {
+
+std::unique_ptr<column::Stage> make_pack(const setup::Case& c,
+                                         const setup::FlowPack& pack,
+                                         std::int64_t n,
+                                         const setup::PackedBed& bed,
+                                         const dem::StepChoice& step,
+                                         column::CoupledBed* liquid) {
+  if (n == 0) {
+    return std::make_unique<column::FlowStage>(setup::packing_flow(c, pack, bed, step), *liquid);
+  }
+  if (n == 1) {
+    return std::make_unique<column::PlungerStage>(setup::packing_plunger(c, pack, bed, step),
+                                                  liquid);
+  }
+  return std::make_unique<column::FlowStage>(setup::packing_end(c, pack, step), *liquid);
+}
+
+}  // namespace
 
 std::unique_ptr<column::Stage> make_stage(const setup::Case& c,
                                           std::int64_t k,
+                                          const setup::PackedBed& bed,
                                           const dem::StepChoice& step,
                                           column::CoupledBed* liquid) {
-  const auto& what = protocol_step(c, k).what;
+  const auto [protocol_step, n] = part(c, k);
+  const auto& what = protocol_step.what;
   const double interval = c.output.interval;
   if (const auto* settle = std::get_if<setup::Settle>(&what)) {
     const bool first = k == 0 && setup::makes_beads(c) && setup::settles_first(c);
@@ -142,6 +204,25 @@ std::unique_ptr<column::Stage> make_stage(const setup::Case& c,
   }
   if (const auto* ramp = std::get_if<setup::FlowRamp>(&what)) {
     return std::make_unique<column::FlowStage>(setup::flow_options(c, *ramp, step), *liquid);
+  }
+  if (const auto* compress = std::get_if<setup::Compress>(&what)) {
+    return std::make_unique<column::PlungerStage>(
+        setup::plunger_options(c, compress->move, false, bed, step), liquid);
+  }
+  if (const auto* relax = std::get_if<setup::Relax>(&what)) {
+    auto options = setup::plunger_options(c, relax->move, true, bed, step);
+    options.withdraws = relax->withdraw;
+    return std::make_unique<column::PlungerStage>(options, liquid);
+  }
+  if (const auto* pack = std::get_if<setup::FlowPack>(&what)) {
+    return make_pack(c, *pack, n, bed, step, liquid);
+  }
+  if (const auto* cycle = std::get_if<setup::Cycle>(&what)) {
+    return std::make_unique<column::FlowStage>(setup::cycle_options(c, *cycle, n % 2 == 0, step),
+                                               *liquid);
+  }
+  if (const auto* store = std::get_if<setup::Store>(&what)) {
+    return std::make_unique<column::FlowStage>(setup::store_options(c, *store, step), *liquid);
   }
   const auto* hold = std::get_if<setup::Hold>(&what);
   if (hold != nullptr && has_flow(c, k)) {
@@ -158,11 +239,11 @@ double expected_steps(const setup::Case& c, double step) {
 }
 
 double expected_steps(const setup::Case& c, std::int64_t k, double step) {
-  return steps_of(c, protocol_step(c, k), step);
+  return steps_of(c, part(c, k).step, step);
 }
 
 bool can_simulate(const setup::Case& c) {
-  return (c.beads.csv || c.beads.run || setup::makes_beads(c)) && are_known(c.protocol);
+  return (c.beads.csv || c.beads.run || setup::makes_beads(c));
 }
 
 }  // namespace packbed::app

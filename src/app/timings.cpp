@@ -73,6 +73,8 @@ void write_timings(const std::filesystem::path& folder, const std::vector<StageT
 std::vector<StageTimings> read_timings(const std::filesystem::path& folder) {
   const auto file = file_in(folder);
   std::vector<StageTimings> timings;
+  if (Ranks::all().is_first())
+    std::filesystem::remove(file.string() + ".part");  // of a run that was killed
   if (!std::filesystem::exists(file)) return timings;
   try {
     for (const auto& entry : Json::parse(read_text_file(file))) {

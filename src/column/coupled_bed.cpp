@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <utility>
 #include <vector>
 
+#include "column/plunger.hpp"
 #include "core/exact_sum.hpp"
 
 namespace packbed::column {
@@ -32,7 +34,12 @@ CoupledBed::CoupledBed(const mesh::ColumnMesh& mesh,
       ranks_(ranks),
       partition_(mesh.cell_count(), ranks.size()),
       fluid_(options.fluid, mesh, partition_, ranks) {
+  share_anew();
+}
+
+void CoupledBed::share_anew() {
   coupling_.emplace(mesh_, shape_, partition_, options_.coupling, ranks_);
+  reach_in_layers_ = coupling_->reach_in_layers(mesh_);
 }
 
 // Beads and cells belong to the same ranks: the liquid follows when beads are shared anew.
@@ -40,8 +47,20 @@ void CoupledBed::share_like(const dem::Dem& dem) {
   if (ranks_.size() == 1 || dem.partition() == partition_) return;
   fluid_.repartition(partition_, dem.partition());
   partition_ = dem.partition();
-  coupling_.emplace(mesh_, shape_, partition_, options_.coupling, ranks_);
+  share_anew();
   coupling_->set_velocity(fields().u);
+}
+
+// Layers that become thinner are more of them within reach of a bead.
+std::optional<double> CoupledBed::follow_plunger(const dem::Dem& dem) {
+  const auto top = plunger_position(dem.walls());
+  if (!top || *top == mesh_.top()) return std::nullopt;
+  mesh_.set_top(*top);
+  if (dem.options().mesh) dem.options().mesh->set_top(*top);
+  if (coupling_->reach_in_layers(mesh_) <= reach_in_layers_) return top;
+  share_anew();
+  coupling_->set_velocity(fields().u);
+  return top;
 }
 
 coupling::LiquidFields CoupledBed::fields() const {
@@ -51,6 +70,11 @@ coupling::LiquidFields CoupledBed::fields() const {
 }
 
 void CoupledBed::start(dem::Dem& dem) {
+  const auto top = plunger_position(dem.walls());
+  if (top && *top != mesh::height(shape_)) {  // beads belong to ranks by cells where they are now
+    if (dem.options().mesh) dem.options().mesh->set_top(*top);
+    place_plunger(*top, dem);
+  }
   dem.set_in_liquid(true);
   share_like(dem);
   const std::vector<Vec3> rest(fluid_.domain().own());
@@ -61,15 +85,24 @@ void CoupledBed::start(dem::Dem& dem) {
 void CoupledBed::advance(dem::Dem& dem, std::int64_t count) {
   const double dt = static_cast<double>(count) * dem.options().step;
   dem.run(count);
+  std::optional<double> top;
+  const double top_before = mesh_.top();
   const auto bed = coupling_time_.time([&] {
     share_like(dem);
+    top = follow_plunger(dem);
     return to_bed(coupling_->bed(dem, mesh_, dt));
   });
-  report_ = liquid_time_.time([&] { return fluid_.step(dt, bed); });
+  plunger_speed_ = top ? (*top - top_before) / dt : 0.0;
+  report_ = liquid_time_.time([&] { return fluid_.step(dt, bed, top); });
   coupling_time_.time([&] { coupling_->pull(fields(), dem); });
 }
 
+double CoupledBed::flow() const {
+  return std::get<fluid::Inlet>(fluid_.options().boundaries.inlet).superficial.at(time());
+}
+
 void CoupledBed::load(const fluid::FluidState& state, const dem::Dem& dem) {
+  assert(state.top == mesh_.top());
   share_like(dem);
   fluid_.load(state);
   coupling_->set_velocity(fields().u);
@@ -99,7 +132,8 @@ LiquidFigures CoupledBed::figures() const {
   for (std::size_t k = 0; k < 7; ++k) sums[k] = order_independent_sum(terms[k], ranks_);
   const double p_in = sums[0] > 0.0 ? sums[1] / sums[0] : 0.0;
   const double p_out = sums[3] > 0.0 ? sums[4] / sums[3] : 0.0;
-  return {.superficial_velocity = sums[0] > 0.0 ? 0.0 - sums[2] / sums[0] : 0.0,  // no "-0"
+  const double through = sums[0] > 0.0 ? 0.0 - sums[2] / sums[0] : 0.0;  // no "-0"
+  return {.superficial_velocity = through - plunger_speed_,
           .pressure_drop = p_in - p_out,
           .pressure_force = sums[1] - sums[4],
           .wall_shear = sums[6],

@@ -23,8 +23,9 @@ struct CoupledOptions {
 
 /// Figures of the liquid at the end of an interval, of all ranks.
 struct LiquidFigures {
-  double superficial_velocity = 0.0;  ///< downwards, through the inlet [m/s]
-  double pressure_drop = 0.0;         ///< inlet less outlet, without the hydrostatic part [Pa]
+  /// Downwards: through the inlet, and what a plunger that moves displaces [m/s].
+  double superficial_velocity = 0.0;
+  double pressure_drop = 0.0;   ///< inlet less outlet, without the hydrostatic part [Pa]
   double pressure_force = 0.0;  ///< on the whole content, downwards: sum of p n over both ends [N]
   double wall_shear = 0.0;      ///< of the liquid on the walls, downwards [N]
   double continuity_error = 0.0;
@@ -35,7 +36,7 @@ struct LiquidFigures {
 
 class CoupledBed {
  public:
-  /// The liquid at rest; no bead feels it yet. All ranks make theirs at once.
+  /// The liquid at rest; no bead feels it yet. The mesh ends at the plunger. All ranks make theirs at once.
   CoupledBed(const mesh::ColumnMesh& mesh,
              const mesh::ColumnShape& shape,
              const CoupledOptions& options,
@@ -43,10 +44,14 @@ class CoupledBed {
 
   /// Puts the beads in, at rest like the liquid. All ranks call it.
   void start(dem::Dem& dem);
-  /// The velocity at the inlet from now on; times are those of time().
+  /// The velocity at the inlet from now on; times are those of time(). It is what passes the plunger: one that
+  /// moves displaces liquid besides.
   void set_flow(const fluid::FlowProgram& flow) { fluid_.set_inlet(flow); }
 
-  /// An interval: `count` time steps of the beads, as long a step of the liquid, and the exchange.
+  [[nodiscard]] double flow() const;  ///< at the inlet now, as set [m/s]
+
+  /// An interval: `count` time steps of the beads, as long a step of the liquid, and the exchange. The upper
+  /// end of the mesh goes with the plunger.
   void advance(dem::Dem& dem, std::int64_t count);
 
   [[nodiscard]] double time() const { return fluid_.time(); }  ///< of the liquid [s]
@@ -65,6 +70,8 @@ class CoupledBed {
 
  private:
   void share_like(const dem::Dem& dem);
+  void share_anew();
+  std::optional<double> follow_plunger(const dem::Dem& dem);
   [[nodiscard]] coupling::LiquidFields fields() const;
 
   mesh::ColumnMesh mesh_;
@@ -74,6 +81,8 @@ class CoupledBed {
   mesh::CellPartition partition_;
   fluid::Fluid fluid_;
   std::optional<coupling::Coupling> coupling_;  ///< of the present partition
+  std::int64_t reach_in_layers_ = 0;            ///< that it was made for
+  double plunger_speed_ = 0.0;                  ///< of the past interval, upwards [m/s]
   fluid::StepReport report_{};
   Stopwatch coupling_time_;
   Stopwatch liquid_time_;

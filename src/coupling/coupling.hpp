@@ -83,6 +83,11 @@ class Coupling {
   /// The velocity that Reynolds numbers of the next bed() are taken from: pull() sets it, a resumed run must.
   void set_velocity(std::span<const Vec3> u);
 
+  /// How many layers a bead may reach up or down in this mesh. One that is stretched to more of them than that
+  /// of the constructor needs another Coupling.
+  [[nodiscard]] std::int64_t reach_in_layers(const mesh::ColumnMesh& mesh) const {
+    return weights_.reach_in_layers(mesh);
+  }
   [[nodiscard]] const CouplingFigures& figures() const { return figures_; }
   [[nodiscard]] const CouplingOptions& options() const { return options_; }
 

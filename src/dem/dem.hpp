@@ -38,8 +38,8 @@ struct DemOptions {
   double overlap_limit = 0.3;       ///< of the smaller diameter; beyond it the run stops
   double load_tolerance = 1.05;     ///< work of the fullest rank over the mean, before a new cut
   /// Cells by which beads belong to ranks; rows of the key grid if there are none. Not copied: it may
-  /// be stretched during the run, alike on all ranks.
-  std::shared_ptr<const mesh::ColumnMesh> mesh = {};
+  /// be stretched between steps (mesh::ColumnMesh::set_top), alike on all ranks.
+  std::shared_ptr<mesh::ColumnMesh> mesh = {};
 };
 
 /// What a look at the beds costs, so it is taken when asked for: forces at the present positions,
@@ -116,6 +116,8 @@ class Dem {
 
   /// All ranks call it; the beads are on rank 0, the sums everywhere.
   [[nodiscard]] Snapshot snapshot() const;
+  /// On each wall, as in a snapshot, but quickly [N]; of all ranks, all call it.
+  [[nodiscard]] std::vector<Vec3> wall_forces() const;
   /// All ranks call it; the contacts are on rank 0, sorted by ids, the lower one first.
   [[nodiscard]] std::vector<ContactReport> touching_contacts() const;
   /// Volume of each bead of particles() that its contacts take: beyond the plane in which the surfaces of two

@@ -177,6 +177,17 @@ Snapshot Dem::snapshot() const {
   return s;
 }
 
+std::vector<Vec3> Dem::wall_forces() const {
+  Particles p;
+  p.motion = particles_.motion;
+  p.spin = particles_.spin;
+  p.load.resize(p.motion.size());
+  auto near = wall_contacts_;
+  std::vector<Vec3> forces;
+  add_wall_forces_here(p, near, forces);
+  return forces;
+}
+
 /// Adds the wall contacts to the terms of the pairs, and sums them up.
 void Dem::sum_contacts(ContactTerms& terms,
                        const std::vector<WallContacts>& wall_contacts,

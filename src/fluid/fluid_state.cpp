@@ -59,6 +59,7 @@ FluidState Fluid::save() const {
         {.face = domain_.face_number(f),
          .owner = domain_.part.cell[domain_.owner(f)],
          .q = q_[f],
+         .flux = flux_[f],
          .pressure = f < domain_.inner() ? 0.0 : border_p_[f - domain_.inner()],
          .conductance = solver.conductance.empty() ? 0.0 : solver.conductance[f]});
   }
@@ -86,6 +87,7 @@ void Fluid::load(const FluidState& state) {
   for (std::size_t f = 0; f < domain_.faces(); ++f) {
     const auto& r = faces.at(domain_.face_number(f));
     q_[f] = r.q;
+    flux_[f] = r.flux;
     if (f >= domain_.inner()) border_p_[f - domain_.inner()] = r.pressure;
     solver.conductance.push_back(r.conductance);
     if (!(r.conductance > 0.0)) lacking = 1.0;
@@ -93,7 +95,6 @@ void Fluid::load(const FluidState& state) {
   if (domain_.ranks.max(lacking) > 0.0) solver.conductance.clear();
   face_eps_ = viscous_eps(domain_, border_, eps_);
   update(border_, options_.boundaries, domain_, time_, options_.rho_f * options_.gravity);
-  for (std::size_t f = 0; f < domain_.faces(); ++f) flux_[f] = domain_.geometry.area[f] * q_[f];
   pressure_solver_.restore(domain_, border_, std::move(solver));
 }
 

@@ -26,6 +26,7 @@ struct FaceRecord {
   std::int64_t face = 0;     ///< Domain::face_number
   std::int64_t owner = 0;    ///< cell
   double q = 0.0;            ///< normal superficial velocity [m/s]
+  double flux = 0.0;         ///< volume, relative to the face [m3/s]
   double pressure = 0.0;     ///< dynamic; of border faces [Pa]
   double conductance = 0.0;  ///< by which the preconditioner was made; 0 if there is none
 };

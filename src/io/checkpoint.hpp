@@ -26,7 +26,7 @@
 namespace packbed::io {
 
 /// Raise it whenever what a checkpoint holds, or what it means, changes. Other formats are refused.
-inline constexpr int checkpoint_format = 3;
+inline constexpr int checkpoint_format = 4;
 
 /// Writes a checkpoint under a temporary name; commit() gives it its own. Without commit() the folder
 /// is as before. The same content on the same number of ranks gives the same bytes.

@@ -53,12 +53,17 @@ Json case_values(const std::string& text, const fs::path& file) {
 void add_stages(const Json& steps, std::vector<std::string>& stages) {
   for (const auto& step : steps) {
     const auto kind = step.value("step", std::string("?"));
-    if (kind != "repeat") {
-      stages.push_back(kind);
-      continue;
-    }
     // A file that was tampered with must not fill the memory.
     const auto turns = std::min(step.value("count", 1), 100'000);
+    if (kind == "cycle") {
+      for (int turn = 0; turn < turns; ++turn)
+        stages.insert(stages.end(), {"cycle high", "cycle low"});
+      continue;
+    }
+    if (kind != "repeat") {
+      stages.insert(stages.end(), kind == "flow_pack" ? 3 : 1, kind);
+      continue;
+    }
     for (int turn = 0; turn < turns; ++turn) add_stages(step.value("steps", Json::array()), stages);
   }
 }

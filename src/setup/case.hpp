@@ -32,6 +32,8 @@ struct ColumnOptions {
   Material wall;                          ///< of the tube, or of all walls of a box
   Material frit;                          ///< of both ends
   std::optional<mesh::MeshOptions> mesh;  ///< for the liquid; none when dry
+  /// Superficial velocity of a relative hydrodynamic load (RHL) of 1 [m/s].
+  std::optional<double> full_load{};
   bool operator==(const ColumnOptions&) const = default;
 };
 
@@ -131,14 +133,58 @@ struct Hold {
   bool operator==(const Hold&) const = default;
 };
 
-/// Where a compression ends.
-enum class CompressTarget { height, compression, compression_factor, force };
+/// What the plunger goes to.
+enum class PlungerGoal { height, compression, compression_factor, packing_factor, force, pressure };
+
+/// A move of the plunger, down ("compress") or up ("relax").
+struct PlungerMove {
+  double speed;  ///< [m/s]
+  PlungerGoal goal;
+  double value;                      ///< of the goal: m, -, -, -, N, Pa
+  double hold = 0.0;                 ///< time for which it is kept [s]
+  double flow = 0.0;                 ///< superficial velocity meanwhile [m/s]
+  std::optional<double> friction{};  ///< bead on bead, for this step alone
+  bool drained = false;              ///< no liquid, for this step alone
+  bool operator==(const PlungerMove&) const = default;
+};
 
 struct Compress {
-  double speed;  ///< of the plunger [m/s]
-  CompressTarget target;
-  double value;  ///< of the target: m, -, -, N
+  PlungerMove move;
   bool operator==(const Compress&) const = default;
+};
+
+struct Relax {
+  PlungerMove move;
+  bool withdraw;  ///< in the end to the upper end of the column
+  bool operator==(const Relax&) const = default;
+};
+
+/// A flow that packs, then the plunger on the bed, then no flow.
+struct FlowPack {
+  double flow;  ///< superficial velocity, the highest one [m/s]
+  std::int64_t steps;
+  std::optional<double> hold;         ///< at each step [s]; none: until steady
+  double hold_limit;                  ///< longest hold until steady [s]
+  std::optional<double> compression;  ///< to reach; none: what the flow gives
+  double plunger_speed;               ///< [m/s]
+  bool operator==(const FlowPack&) const = default;
+};
+
+/// A load: a high and a low flow in turn.
+struct Cycle {
+  std::int64_t count;
+  double high;                          ///< superficial velocity [m/s]
+  double low;                           ///< [m/s]
+  std::optional<double> high_duration;  ///< [s]; none: until steady
+  std::optional<double> low_duration;   ///< [s]; none: until steady
+  double hold_limit;                    ///< longest hold until steady [s]
+  bool operator==(const Cycle&) const = default;
+};
+
+/// The column stands without flow until it is at rest.
+struct Store {
+  double hold_limit;  ///< longest time simulated [s]
+  bool operator==(const Store&) const = default;
 };
 
 /// The column is shaken: one period of a sine of acceleration per tap.
@@ -158,7 +204,8 @@ struct Repeat {
 };
 
 struct ProtocolStep {
-  std::variant<Run, Settle, Tap, FlowRamp, Hold, Compress, Repeat> what;
+  std::variant<Run, Settle, Tap, FlowRamp, Hold, Compress, Relax, FlowPack, Cycle, Store, Repeat>
+      what;
   bool operator==(const ProtocolStep& other) const;
 };
 

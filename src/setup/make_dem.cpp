@@ -183,7 +183,7 @@ dem::DemOptions options_of(const Case& c, double step) {
   if (c.numerics.background_damping)
     options.background_damping = 1.0 / *c.numerics.background_damping;
   if (c.column.mesh && Ranks::all().size() > 1) {  // beads belong to ranks like the liquid's cells
-    options.mesh = std::make_shared<const mesh::ColumnMesh>(
+    options.mesh = std::make_shared<mesh::ColumnMesh>(
         c.column.shape, mesh::cell_counts(c.column.shape, *c.column.mesh));
   }
   return options;

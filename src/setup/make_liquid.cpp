@@ -65,9 +65,11 @@ coupling::DragLaw drag_law(DragLawName name) {
   return coupling::KochHill{};
 }
 
-column::FlowOptions common(const Case& c, const dem::StepChoice& step) {
+}  // namespace
+
+column::DriveOptions drive_options(const Case& c, const dem::StepChoice& step) {
   const auto sizes = grain_sizes(c);
-  column::FlowOptions o;
+  column::DriveOptions o;
   o.interval = c.output.interval;
   o.area = mesh::cross_section(c.column.shape);
   o.coupling_interval = c.coupling.interval;
@@ -75,15 +77,13 @@ column::FlowOptions common(const Case& c, const dem::StepChoice& step) {
   o.stepping = {.longest_step = step.contact_time / dem::fewest_steps_per_contact,
                 .fixed_step = c.numerics.step,
                 .force_step = c.numerics.force_step};
-  o.grains = {.viscosity = c.liquid->viscosity,
+  o.grains = {.viscosity = c.liquid ? c.liquid->viscosity : 0.0,
               .density = mean(c.resin.density, c.beads.table.density),
               .bead_diameter = sizes.bead_sauter,
               .diameter = sizes.mean,
               .stiffness = stiffness_of(c, sizes.mean)};
   return o;
 }
-
-}  // namespace
 
 column::CoupledOptions coupled_options(const Case& c) {
   const double reach = averaging_reach(c);
@@ -106,13 +106,14 @@ column::CoupledOptions coupled_options(const Case& c) {
   return o;
 }
 
-column::CoupledBed make_coupled_bed(const Case& c, const Ranks& ranks) {
-  const mesh::ColumnMesh mesh(c.column.shape, mesh::cell_counts(c.column.shape, *c.column.mesh));
+column::CoupledBed make_coupled_bed(const Case& c, std::optional<double> top, const Ranks& ranks) {
+  mesh::ColumnMesh mesh(c.column.shape, mesh::cell_counts(c.column.shape, *c.column.mesh));
+  if (top && *top != mesh.top()) mesh.set_top(*top);
   return {mesh, c.column.shape, coupled_options(c), ranks};
 }
 
 column::FlowOptions flow_options(const Case& c, const FlowRamp& ramp, const dem::StepChoice& step) {
-  auto o = common(c, step);
+  auto o = with<column::FlowOptions>(drive_options(c, step));
   o.name = "flow_ramp";
   o.from = ramp.from;
   o.to = ramp.to;
@@ -127,9 +128,10 @@ column::FlowOptions flow_options(const Case& c,
                                  const Hold& hold,
                                  double flow,
                                  const dem::StepChoice& step) {
-  auto o = common(c, step);
+  auto o = with<column::FlowOptions>(drive_options(c, step));
   o.name = "hold";
-  o.from = o.to = hold.flow.value_or(flow);
+  o.to = hold.flow.value_or(flow);
+  o.from = o.to;
   o.hold = o.hold_limit = hold.duration;
   o.ramps = false;
   return o;

@@ -15,8 +15,18 @@ namespace packbed::setup {
 column::CoupledOptions coupled_options(const Case& c);
 
 /// The liquid of a case, at rest.
-column::CoupledBed make_coupled_bed(const Case& c, const Ranks& ranks);
+column::CoupledBed make_coupled_bed(const Case& c, std::optional<double> top, const Ranks& ranks);
 
+/// Options of a stage that drives the bed, with the common part filled in.
+template <class Options>
+Options with(const column::DriveOptions& common) {
+  Options options;
+  static_cast<column::DriveOptions&>(options) = common;
+  return options;
+}
+
+/// How a step that drives the bed steps it, with or without a liquid. `step` as setup::step_of says.
+column::DriveOptions drive_options(const Case& c, const dem::StepChoice& step);
 /// Of a step "flow_ramp". `step` as setup::step_of says.
 column::FlowOptions flow_options(const Case& c, const FlowRamp& ramp, const dem::StepChoice& step);
 /// Of a step "hold"; `flow`: the velocity before it [m/s].

@@ -32,6 +32,7 @@ Case read_tables(const toml::table& table, Reading& reading) {
     if (top.has(key) && !top.has("liquid")) top.fail(key, "needs a [liquid] section");
   }
   if (top.has("liquid")) c.drag = read_drag(top.table("drag"));
+  reading.full_load = full_load(c.column, table, reading);
   c.protocol = read_protocol(top.tables("protocol"), c.column, c.beads, c.liquid.has_value());
   if (top.has("liquid")) c.coupling = read_coupling(top.table("coupling"), c);
   c.numerics = read_numerics(top.table("numerics"), c.protocol);

@@ -111,8 +111,11 @@ mesh::MeshOptions read_mesh(Section section, const mesh::ColumnShape& shape) {
 
 ColumnOptions read_column(Section section, bool has_liquid) {
   section.mention({"shape", "inner_diameter", "slice_depth", "height", "size", "boundaries", "wall",
-                   "frit", "mesh"});
+                   "frit", "mesh", "full_load"});
   ColumnOptions column{.shape = read_shape(section), .wall = {}, .frit = {}, .mesh = {}};
+  column.full_load = section.optional_flow("full_load", mesh::flow_cross_section(column.shape));
+  if (column.full_load && *column.full_load <= 0.0) section.fail("full_load", "must be positive");
+  if (column.full_load && !has_liquid) section.fail("full_load", "needs a [liquid] section");
   column.wall = read_material(section.table("wall"));
   if (std::holds_alternative<mesh::Box>(column.shape)) {
     section.refuse("frit", "does not apply to shape = \"box\", whose walls are all column.wall");
@@ -127,6 +130,38 @@ ColumnOptions read_column(Section section, bool has_liquid) {
   }
   section.finish();
   return column;
+}
+
+namespace {
+
+/// The flow of the first step "flow_pack" in a list of steps, as text.
+std::optional<std::string> flow_of_packing(const toml::array* steps) {
+  if (steps == nullptr) return std::nullopt;
+  for (const auto& node : *steps) {
+    const auto* step = node.as_table();
+    if (step == nullptr) continue;
+    if (step->at_path("step").value<std::string>() == "flow_pack") {
+      return step->at_path("flow").value<std::string>();
+    }
+    if (auto inner = flow_of_packing(step->at_path("steps").as_array())) return inner;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+// A flow that cannot be read is refused where its step is.
+std::optional<double> full_load(const ColumnOptions& column,
+                                const toml::table& file,
+                                const Reading& reading) {
+  if (column.full_load) return column.full_load;
+  const auto text = flow_of_packing(file.at_path("protocol").as_array());
+  if (!text) return std::nullopt;
+  try {
+    return to_velocity(*text, mesh::flow_cross_section(column.shape), reading);
+  } catch (const ValueError&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace packbed::setup

@@ -21,7 +21,7 @@ void check_width(const Section& section, const Case& c) {
                              per_mm * cell));
   }
   const double most = most_averaging_reach(c);
-  if (reach <= most || !any_flow(c.protocol)) return;
+  if (reach <= most || !any_flow(c.protocol, c.liquid.has_value())) return;
   section.fail("averaging_width",
                fmt::format("{}is more than half of a periodic side, {:.4g} mm; make the column "
                            "wider, or the width smaller",

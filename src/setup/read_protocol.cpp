@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "setup/read_sections.hpp"
@@ -124,36 +125,151 @@ Hold read_hold(Section& section, Context& context) {
           .flow = section.optional_flow("flow", mesh::flow_cross_section(context.column.shape))};
 }
 
-Compress read_compress(Section& section, Context& context) {
-  Compress compress{};
-  section.mention({"speed", "height", "compression", "compression_factor", "force"});
-  compress.speed = section.quantity("speed", Dimension::velocity, bounds::positive);
+constexpr std::array<std::string_view, 6> goal_names = {
+    "height", "compression", "compression_factor", "packing_factor", "force", "pressure"};
+
+/// The goal that a step has; none if it names none.
+bool read_goal(Section& section, const Context& context, bool may_be_zero, PlungerMove& move) {
   constexpr Bounds above_1{.low = 1.0, .refusal = "must be above 1"};
+  const auto load = may_be_zero ? bounds::not_negative : bounds::positive;
   const struct {
-    std::string_view key;
     Dimension dimension;
     Bounds bounds;
-  } targets[] = {{"height", Dimension::length, bounds::positive},
-                 {"compression", Dimension::fraction, bounds::between_0_and_1},
-                 {"compression_factor", Dimension::fraction, above_1},
-                 {"force", Dimension::force, bounds::positive}};
+  } accepted[] = {{Dimension::length, bounds::positive},
+                  {Dimension::fraction, bounds::between_0_and_1},
+                  {Dimension::fraction, above_1},
+                  {Dimension::fraction, above_1},
+                  {Dimension::force, load},
+                  {Dimension::pressure, load}};
   int found = 0;
-  for (std::size_t i = 0; i < std::size(targets); ++i) {
-    const auto& target = targets[i];
-    const auto value = section.optional_quantity(target.key, target.dimension, target.bounds);
+  for (std::size_t i = 0; i < goal_names.size(); ++i) {
+    const auto value =
+        section.optional_quantity(goal_names[i], accepted[i].dimension, accepted[i].bounds);
     if (!value) continue;
-    if (++found > 1) section.fail(target.key, "is one target too many; give one");
-    compress.target = static_cast<CompressTarget>(i);
-    compress.value = *value;
+    if (++found > 1) section.fail(goal_names[i], "is one target too many; give one");
+    move.goal = static_cast<PlungerGoal>(i);
+    move.value = *value;
   }
-  if (found == 0) {
-    section.fail("step", "needs a target: height, compression, compression_factor or force");
-  }
-  if (compress.target == CompressTarget::height &&
-      compress.value > mesh::height(context.column.shape)) {
+  if (found > 0 && move.goal == PlungerGoal::height &&
+      move.value > mesh::height(context.column.shape)) {
     section.fail("height", "is above the height of the column");
   }
-  return compress;
+  return found > 0;
+}
+
+void require_plunger(const Section& section, const Context& context) {
+  const auto* box = std::get_if<mesh::Box>(&context.column.shape);
+  if (box == nullptr || box->boundaries[2] == mesh::Boundary::wall) return;
+  section.fail("step", "needs a plunger; give column.boundaries.z = \"wall\"");
+}
+
+void read_rest_of_move(Section& section, const Context& context, PlungerMove& move) {
+  move.hold = section.quantity("hold", Dimension::time, bounds::not_negative, Fallback{"0 s"});
+  move.friction = section.optional_quantity("friction", Dimension::fraction, bounds::not_negative);
+  move.drained = section.boolean("drained", false);
+  if (move.drained && !context.has_liquid) {
+    section.fail("drained", "has no meaning in a dry column; leave it out");
+  }
+  if (context.has_liquid && !move.drained) {
+    move.flow =
+        section.flow("flow", mesh::flow_cross_section(context.column.shape), Fallback{"0 cm/h"});
+  } else {
+    section.refuse("flow",
+                   move.drained ? "does not go with drained = true" : "needs a [liquid] section");
+  }
+}
+
+Compress read_compress(Section& section, Context& context) {
+  PlungerMove move{};
+  section.mention({"speed", "height", "compression", "compression_factor", "packing_factor",
+                   "force", "pressure", "hold", "flow", "friction", "drained"});
+  require_plunger(section, context);
+  move.speed = section.quantity("speed", Dimension::velocity, bounds::positive);
+  if (!read_goal(section, context, false, move)) {
+    section.fail(
+        "step",
+        "needs a target: height, compression, compression_factor, packing_factor, force or "
+        "pressure");
+  }
+  read_rest_of_move(section, context, move);
+  return {.move = move};
+}
+
+Relax read_relax(Section& section, Context& context) {
+  PlungerMove move{.speed = 0.0, .goal = PlungerGoal::force, .value = 0.0};
+  section.mention({"speed", "height", "compression", "compression_factor", "packing_factor",
+                   "force", "pressure", "hold", "flow", "friction", "drained", "withdraw"});
+  require_plunger(section, context);
+  move.speed = section.quantity("speed", Dimension::velocity, bounds::positive);
+  read_goal(section, context, true, move);
+  read_rest_of_move(section, context, move);
+  return {.move = move, .withdraw = section.boolean("withdraw", false)};
+}
+
+/// How long a flow stays: a time, or until the bed is steady.
+struct Holds {
+  std::optional<double> first;
+  std::optional<double> second;
+  double limit = 0.0;
+};
+
+Holds read_holds(Section& section, std::string_view first, std::string_view second) {
+  const auto read = [&](std::string_view key) {
+    return section.quantity_or_word(key, Dimension::time, bounds::positive, "until steady",
+                                    Fallback{"until steady"});
+  };
+  Holds holds;
+  holds.first = read(first);
+  holds.second = second.empty() ? holds.first : read(second);
+  if (holds.first && holds.second) {
+    section.refuse("hold_limit", "applies only to a flow that is held \"until steady\"");
+    holds.limit = std::max(*holds.first, *holds.second);
+  } else {
+    holds.limit =
+        section.quantity("hold_limit", Dimension::time, bounds::positive, Fallback{"5 s"});
+  }
+  return holds;
+}
+
+FlowPack read_flow_pack(Section& section, Context& context) {
+  FlowPack pack{};
+  section.mention({"flow", "steps", "hold", "hold_limit", "compression", "plunger_speed"});
+  require_ends(section, context, "step");
+  require_plunger(section, context);
+  pack.flow = section.flow("flow", mesh::flow_cross_section(context.column.shape));
+  if (pack.flow <= 0.0) section.fail("flow", "must be positive: it presses the bed down");
+  pack.steps = section.integer("steps", 1, Fallback{"10"});
+  const auto holds = read_holds(section, "hold", "");
+  pack.hold = holds.first;
+  pack.hold_limit = holds.limit;
+  pack.compression =
+      section.optional_quantity("compression", Dimension::fraction, bounds::between_0_and_1);
+  pack.plunger_speed = section.quantity("plunger_speed", Dimension::velocity, bounds::positive,
+                                        Fallback{"30 mm/min", "default: thesis section 5.4.5"});
+  return pack;
+}
+
+Cycle read_cycle(Section& section, Context& context) {
+  Cycle cycle{};
+  section.mention({"high", "low", "count", "high_duration", "low_duration", "hold_limit"});
+  require_ends(section, context, "step");
+  const double area = mesh::flow_cross_section(context.column.shape);
+  const auto origin = "default: thesis section 5.4.5";
+  cycle.high = section.flow("high", area, Fallback{"0.75 RHL", origin});
+  cycle.low = section.flow("low", area, Fallback{"0.05 RHL", origin});
+  cycle.count = section.integer("count", 1);
+  const auto holds = read_holds(section, "high_duration", "low_duration");
+  cycle.high_duration = holds.first;
+  cycle.low_duration = holds.second;
+  cycle.hold_limit = holds.limit;
+  return cycle;
+}
+
+Store read_store(Section& section, Context& context) {
+  section.mention({"hold_limit"});
+  if (!context.has_liquid) section.fail("step", "needs a [liquid] section");
+  return {.hold_limit =
+              section.quantity("hold_limit", Dimension::time, bounds::positive, Fallback{"5 s"})};
 }
 
 Repeat read_repeat(Section& section, Context& context) {
@@ -166,8 +282,8 @@ Repeat read_repeat(Section& section, Context& context) {
 }
 
 ProtocolStep read_step(Section section, Context& context) {
-  const auto kind =
-      section.choice("step", {"run", "settle", "tap", "flow_ramp", "hold", "compress", "repeat"});
+  const auto kind = section.choice("step", {"run", "settle", "tap", "flow_ramp", "hold", "compress",
+                                            "relax", "flow_pack", "cycle", "store", "repeat"});
   ProtocolStep step{Run{}};
   switch (kind) {
     case 0:
@@ -187,6 +303,18 @@ ProtocolStep read_step(Section section, Context& context) {
       break;
     case 5:
       step.what = read_compress(section, context);
+      break;
+    case 6:
+      step.what = read_relax(section, context);
+      break;
+    case 7:
+      step.what = read_flow_pack(section, context);
+      break;
+    case 8:
+      step.what = read_cycle(section, context);
+      break;
+    case 9:
+      step.what = read_store(section, context);
       break;
     default:
       step.what = read_repeat(section, context);

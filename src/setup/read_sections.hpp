@@ -13,6 +13,11 @@ namespace packbed::setup {
 
 /// The column has a mesh if it `has_liquid`.
 ColumnOptions read_column(Section section, bool has_liquid);
+/// Superficial velocity of a relative hydrodynamic load of 1: that of the column, else the flow of the first
+/// step "flow_pack" [m/s].
+std::optional<double> full_load(const ColumnOptions& column,
+                                const toml::table& file,
+                                const Reading& reading);
 BeadOptions read_beads(Section section, const ColumnOptions& column);
 /// `library` has the resins that the program comes with; the case may add its own.
 /// Beads of a file that name their resin get its properties here.

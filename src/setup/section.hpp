@@ -64,7 +64,11 @@ struct Reading {
   const UnitSystem& units;
   std::filesystem::path file;  ///< as named in messages
   Echo echo;
+  std::optional<double> full_load{};  ///< superficial velocity of "1 RHL", once it is known [m/s]
 };
+
+/// A flow as a superficial velocity [m/s]; `area` turns a flow rate into one [m2]. Throws ValueError.
+double to_velocity(const std::string& text, double area, const Reading& reading);
 
 class Section {
  public:
@@ -91,7 +95,8 @@ class Section {
                                          const Bounds& bounds,
                                          std::string_view word,
                                          const Fallback& fallback);
-  /// A superficial velocity, given as such or as a flow rate through `area` [m2]; in m/s.
+  /// A superficial velocity, given as such, as a flow rate through `area` [m2], or as a relative hydrodynamic
+  /// load ("0.75 RHL"); in m/s.
   double flow(std::string_view key, double area, const std::optional<Fallback>& fallback = {});
 
   std::optional<double> optional_flow(std::string_view key, double area);

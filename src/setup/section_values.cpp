@@ -152,6 +152,23 @@ std::optional<double> Section::quantity_or_word(std::string_view key,
   return std::nullopt;
 }
 
+double to_velocity(const std::string& text, double area, const Reading& reading) {
+  const auto quantity = split_quantity(text);
+  if (quantity.unit == "RHL") {
+    if (!reading.full_load) {
+      throw ValueError(
+          "a relative hydrodynamic load needs column.full_load, or a step \"flow_pack\" whose "
+          "flow is 1 RHL");
+    }
+    return quantity.number * *reading.full_load;
+  }
+  const auto& units = reading.units;
+  if (units.dimension_of(text, Dimension::velocity) == Dimension::volume_flow) {
+    return units.to_si(text, Dimension::volume_flow) / area;
+  }
+  return units.to_si(text, Dimension::velocity);
+}
+
 double Section::flow(std::string_view key, double area, const std::optional<Fallback>& fallback) {
   const bool given = has(key);
   const auto text = quantity_text(key, Dimension::velocity, fallback);
@@ -161,10 +178,7 @@ double Section::flow(std::string_view key, double area, const std::optional<Fall
   if (!text) fail_missing(key, fmt::format("is missing; {}", wanted));
   double value = 0.0;
   try {
-    const auto dimension = reading_->units.dimension_of(*text, Dimension::velocity);
-    value = dimension == Dimension::volume_flow
-                ? reading_->units.to_si(*text, Dimension::volume_flow) / area
-                : reading_->units.to_si(*text, Dimension::velocity);
+    value = to_velocity(*text, area, *reading_);
   } catch (const ValueError& error) {
     fail(key, fmt::format("is refused: {}; {}", error.what(), wanted));
   }

@@ -72,19 +72,21 @@ TEST(Check, IsTheSameUnderADecimalCommaLocale) {
   EXPECT_EQ(german.out, plain.out);
 }
 
-/// The quickstart and a compression after it, which this version does not carry out.
-std::filesystem::path case_with_plunger(const test::TemporaryFolder& folder,
-                                        const std::string& name = "plunger.toml") {
-  return folder.file(name, read_text_file(PACKBED_SOURCE_DIR "/cases/quickstart.toml") +
-                               "\n[[protocol]]\nstep = \"compress\"\nspeed = \"20 mm/min\"\n"
-                               "compression = \"10 %\"\n");
+/// A column that nothing says the beads of.
+std::filesystem::path case_without_beads(const test::TemporaryFolder& folder,
+                                         const std::string& name = "empty.toml") {
+  return folder.file(
+      name,
+      "[column]\nshape = \"slice\"\ninner_diameter = \"5 mm\"\nslice_depth = \"1 mm\"\n"
+      "height = \"10 mm\"\n[resin]\nname = \"CM Sepharose 6FF\"\n"
+      "[[protocol]]\nstep = \"run\"\nduration = \"1 ms\"\n");
 }
 
 TEST(Run, WritesTheFullCaseAndSaysWhatItDidNotDo) {
   const test::TemporaryFolder folder;
   const auto out = (folder.path() / "résultat 1").string();
 
-  const auto run = run_packbed("run " + case_with_plunger(folder).string() + " -o '" + out + "'");
+  const auto run = run_packbed("run " + case_without_beads(folder).string() + " -o '" + out + "'");
 
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("NOT SIMULATED"));
@@ -186,7 +188,7 @@ TEST(Run, RefusesAStepThatDoesNotResolveContacts) {
 TEST(Run, DoesNotOverwriteResultsUnasked) {
   const test::TemporaryFolder folder;
   const auto arguments =
-      "run " + case_with_plunger(folder).string() + " -o " + (folder.path() / "out").string();
+      "run " + case_without_beads(folder).string() + " -o " + (folder.path() / "out").string();
   ASSERT_EQ(run_packbed(arguments).code, 0);
 
   EXPECT_EQ(run_packbed(arguments).code, 1);
@@ -211,7 +213,7 @@ TEST(Program, SaysWhenItsOutputIsLost) {
 
 TEST(Program, TakesFolderNamesThatAreNoUtf8) {
   const test::TemporaryFolder folder;
-  const auto file = case_with_plunger(folder, "f\xff/c.toml");
+  const auto file = case_without_beads(folder, "f\xff/c.toml");
   const auto out = (folder.path() / "out").string();
   EXPECT_EQ(run_packbed("run --json '" + file.string() + "' -o " + out).code, 0);
 }

@@ -63,7 +63,7 @@ bool has_equal_profiles(const Ranks& ranks) {
 }
 
 int check() {
-  const auto mesh = std::make_shared<const mesh::ColumnMesh>(slice, mesh::cell_counts(slice, {}));
+  const auto mesh = std::make_shared<mesh::ColumnMesh>(slice, mesh::cell_counts(slice, {}));
   const auto ranks = Ranks::all();
   Column shared(mesh, ranks);
   Column alone(mesh, Ranks::alone());

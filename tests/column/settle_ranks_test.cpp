@@ -22,7 +22,7 @@ SettleState treat(test::Settling& s) {
   const auto next = add_beads(s.options, bed.top, 0.5 * volume, step.state().next_id, s.dem);
   s.dem.run(few_steps);
   remove_highest(0.2 * volume, s.dem);
-  put_lid(5e-3, s.dem);
+  place_plunger(5e-3, s.dem);
   step.advance(s.dem);
   make_new_cloud(s.options, 1, s.dem);
   step.advance(s.dem);

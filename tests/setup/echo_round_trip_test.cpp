@@ -101,7 +101,7 @@ std::string flow() {
 
 std::string step(const std::string& header, int depth) {
   const auto start = fmt::format("[[{}]]\nstep = ", header);
-  switch (*rc::gen::inRange(0, depth > 1 ? 5 : 6)) {
+  switch (*rc::gen::inRange(0, depth > 1 ? 9 : 10)) {
     case 0:
       return start + fmt::format("\"run\"\nduration = {}\n", quantity(1, 900, {"ms", "s"}));
     case 1:
@@ -113,10 +113,27 @@ std::string step(const std::string& header, int depth) {
     case 3:
       return start + "\"compress\"\nspeed = " + quantity(1, 30, {"mm/min"}) + "\n" +
              *element<std::string>("compression = \"2.5 %\"\n", "compression_factor = 1.15\n",
-                                   "height = \"20 mm\"\n", "force = \"0.5 N\"\n");
+                                   "packing_factor = 1.1\n", "height = \"20 mm\"\n",
+                                   "force = \"0.5 N\"\n", "pressure = \"0.5 bar\"\n") +
+             maybe("hold", quantity(0.1, 2, {"s"})) + maybe("friction", number(0, 1)) +
+             *element<std::string>("", "drained = true\n", "flow = \"20 cm/h\"\n");
     case 4:
       return start + "\"tap\"\namplitude = " + quantity(1, 90, {"um"}) +
              "\nfrequency = " + quantity(10, 90, {"Hz", "s-1"}) + "\n" + maybe("count", "3");
+    case 5:
+      return start + "\"relax\"\nspeed = " + quantity(1, 30, {"mm/min"}) + "\n" +
+             *element<std::string>("", "compression = \"2.5 %\"\n", "force = \"0 N\"\n") +
+             maybe("withdraw", "true") + maybe("drained", "true");
+    case 6:
+      return start + "\"flow_pack\"\nflow = " + flow() + "\n" + maybe("steps", "4") +
+             maybe("hold", quantity(0.1, 2, {"s"})) + maybe("compression", "\"20 %\"") +
+             maybe("plunger_speed", quantity(1, 30, {"mm/min"}));
+    case 7:
+      return start + "\"cycle\"\ncount = 3\nhigh = " + flow() + "\nlow = " + flow() + "\n" +
+             maybe("high_duration", quantity(0.1, 2, {"s"})) +
+             maybe("low_duration", quantity(0.1, 2, {"s"}));
+    case 8:
+      return start + "\"store\"\n" + maybe("hold_limit", quantity(0.1, 2, {"s"}));
     default: {
       std::string text = start + "\"repeat\"\ncount = 3\n";
       const int count = *rc::gen::inRange(1, 4);

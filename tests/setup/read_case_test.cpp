@@ -175,7 +175,7 @@ duration = "0.5 s"
   EXPECT_EQ(repeat.count, 4);
   EXPECT_EQ(
       std::get<Compress>(repeat.steps[0].what),
-      (Compress{.speed = 20.0 / 60000.0, .target = CompressTarget::compression, .value = 0.025}));
+      (Compress{{.speed = 20.0 / 60000.0, .goal = PlungerGoal::compression, .value = 0.025}}));
   EXPECT_EQ(std::get<setup::Run>(repeat.steps[1].what).duration, 0.5);
 }
 

@@ -24,6 +24,7 @@ double middle(double a, double b) { return 0.5 * (a + b); }
 /// Names and values of the state, in one place for both directions.
 template <class State, class Visit>
 void visit(State& s, Visit value) {
+  value("from", s.from);
   value("plateau", s.plateau);
   value("started", s.started);
   value("started_of_run", s.started_of_run);
@@ -46,7 +47,7 @@ FlowStage::FlowStage(const FlowOptions& options, CoupledBed& liquid)
 // Plateau -1 is what the stage comes from.
 double FlowStage::velocity(std::int64_t plateau) const {
   const double share = static_cast<double>(plateau + 1) / static_cast<double>(options_.steps);
-  return options_.from + share * (options_.to - options_.from);
+  return state_.from + share * (options_.to - state_.from);
 }
 
 double FlowStage::ramp_time() const {
@@ -55,13 +56,17 @@ double FlowStage::ramp_time() const {
 }
 
 void FlowStage::begin(dem::Dem& dem) {
+  state_.from = options_.from.value_or(liquid_.flow());
   const bool is_given = options_.inertia_scale && options_.coupling_interval;
-  const auto bed = is_given ? std::nullopt : dragged_bed(dem);
+  const auto bed = is_given ? std::nullopt : bed_state(options_, dem);
   double interval = std::min(longest_interval, interval_of_plateau * options_.hold.value_or(1.0));
   double scale = 1.0;
   if (bed) {
-    scale = dem::dragged_inertia_scale(*bed).scale;
-    interval = std::min(interval, interval_of_consolidation * dem::consolidation_time(*bed));
+    const bool presses = state_.from >= 0.0 && options_.to >= 0.0;
+    const auto dragged =
+        dragged_bed(*bed, options_.grains, presses, options_.hold.value_or(look_every));
+    scale = dem::dragged_inertia_scale(dragged).scale;
+    interval = std::min(interval, interval_of_consolidation * dem::consolidation_time(dragged));
   }
   state_.inertia_scale = options_.inertia_scale.value_or(scale);
   state_.interval = options_.coupling_interval.value_or(interval);
@@ -69,26 +74,6 @@ void FlowStage::begin(dem::Dem& dem) {
   if (!dem.particles().in_liquid) liquid_.start(dem);
   state_.next_output = dem.time() + options_.interval;
   start_plateau(dem);
-}
-
-// What the rules for inertia and exchanges ask for; nothing where there is no bed.
-std::optional<dem::DraggedBed> FlowStage::dragged_bed(const dem::Dem& dem) const {
-  const auto& g = options_.grains;
-  const auto bed = look_at_bed(dem, options_.area);
-  const auto rest = rest_of(dem);
-  if (bed.height <= 0.0 || rest.coordination <= 0.0) return std::nullopt;
-  const double phi = 1.0 - bed.porosity;
-  const double drag_rate =
-      dem::kozeny_carman_drag_rate(phi, g.viscosity, g.bead_diameter, g.density);
-  const bool presses = options_.from >= 0.0 && options_.to >= 0.0;  // no bead leaves the bed
-  const double alone = g.density * g.bead_diameter * g.bead_diameter / (18.0 * g.viscosity);
-  return dem::DraggedBed{
-      .drag_rate = drag_rate,
-      .height = bed.height,
-      .modulus = dem::estimated_modulus(rest.coordination, phi, g.stiffness, g.diameter),
-      .bulk_density = phi * g.density,
-      .loose_drag_time = presses ? 1.0 / drag_rate : alone,
-      .flow_step = options_.hold.value_or(look_every)};
 }
 
 void FlowStage::start_plateau(const dem::Dem& dem) {
@@ -116,27 +101,23 @@ void FlowStage::set_flow() {
 After FlowStage::advance(dem::Dem& dem) {
   finished_.reset();
   if (options_.hold && *options_.hold <= 0.0) return After::end;
-  auto stepping = options_.stepping;
-  stepping.longest_step *= std::sqrt(state_.inertia_scale);
-  choose_step(stepping, dem);
+  choose_step(options_, dem);
   double interval = state_.interval;
   if (options_.hold) {
     const double left = state_.started + *options_.hold - liquid_.time();
     interval = left / std::max(1.0, std::ceil(left / interval - 1e-9));
   }
-  const auto count = std::max<std::int64_t>(
-      1, static_cast<std::int64_t>(std::ceil(interval / dem.options().step - 1e-9)));
-  dem.set_step(interval / static_cast<double>(count));
-  liquid_.advance(dem, count);
+  liquid_.advance(dem, cut_into_steps(interval, dem));
   dem.check_overlaps();
   watch_drop();
+  const bool is_reached = is_low_enough(dem);
   const auto look = look_at_plateau(dem);
-  if (!look.is_over) {
+  if (!look.is_over && !is_reached) {
     return output_is_due(dem.time(), options_.interval, state_.next_output) ? After::output
                                                                             : After::goes_on;
   }
   end_plateau(dem, look.is_steady);
-  if (state_.plateau >= options_.steps) return After::end;
+  if (state_.plateau >= options_.steps || is_reached) return After::end;
   start_plateau(dem);
   return After::output;
 }
@@ -160,6 +141,10 @@ void FlowStage::end_plateau(const dem::Dem& dem, bool is_steady) {
                .is_steady = is_steady};
   if (!is_steady) ++state_.unsteady;
   ++state_.plateau;
+}
+
+bool FlowStage::is_low_enough(const dem::Dem& dem) const {
+  return options_.until_height && look_at_bed(dem, options_.area).height <= *options_.until_height;
 }
 
 FlowStage::Look FlowStage::look_at_plateau(const dem::Dem& dem) {

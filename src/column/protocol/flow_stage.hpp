@@ -7,40 +7,28 @@
 #include <vector>
 
 #include "column/coupled_bed.hpp"
+#include "column/protocol/bed_rules.hpp"
 #include "column/protocol/stage.hpp"
-#include "column/protocol/stepping.hpp"
-#include "dem/inertia_scale.hpp"
 
 namespace packbed::column {
 
 /// A flow that goes from one velocity to another in equal steps, or stays as it is.
-struct FlowOptions {
+struct FlowOptions : DriveOptions {
   std::string name = "flow_ramp";  ///< of the protocol step
-  double from = 0.0;               ///< superficial velocity, downwards [m/s]
-  double to = 0.0;                 ///< [m/s]
-  std::int64_t steps = 1;          ///< plateaus
-  std::optional<double> hold;      ///< time of each [s]; none: until steady
-  double hold_limit = 0.0;         ///< longest time of a plateau [s]
-  bool ramps = true;               ///< to the next plateau in a linear ramp; else in a jump
-  double interval = 0.0;           ///< between rows of the outputs [s]
-  double area = 0.0;               ///< cross-section of the bed [m2]
-  std::optional<double>
-      coupling_interval;                ///< longest time between exchanges [s]; none: by the rule
-  std::optional<double> inertia_scale;  ///< none: as far as the rule for beds in a flow goes
-  SteppingOptions stepping{};           ///< at an inertia scale of 1
-  /// What the rule asks for besides the bed itself.
-  struct Grains {
-    double viscosity = 0.0;      ///< of the liquid [Pa s]
-    double density = 0.0;        ///< of the beads [kg/m3]
-    double bead_diameter = 0.0;  ///< Sauter mean of the beads that grains stand for [m]
-    double diameter = 0.0;       ///< mean, of the grains [m]
-    double stiffness = 0.0;      ///< of a contact of two of them [N/m]
-  };
-  Grains grains{};
+  std::optional<double> from =
+      0.0;                     ///< superficial velocity, downwards [m/s]; none: the present one
+  double to = 0.0;             ///< [m/s]
+  std::int64_t steps = 1;      ///< plateaus
+  std::optional<double> hold;  ///< time of each [s]; none: until steady
+  double hold_limit = 0.0;     ///< longest time of a plateau [s]
+  bool ramps = true;           ///< to the next plateau in a linear ramp; else in a jump
+  /// Bed height at which the stage ends, whatever the flow is by then [m].
+  std::optional<double> until_height;
 };
 
 /// All that a flow stage remembers.
 struct FlowState {
+  double from = 0.0;            ///< superficial velocity that it came from [m/s]
   std::int64_t plateau = 0;     ///< that is under way, from 0
   double started = 0.0;         ///< when it began, by the time of the liquid [s]
   double started_of_run = 0.0;  ///< by that of the beads [s]
@@ -73,7 +61,7 @@ class FlowStage : public Stage {
  private:
   [[nodiscard]] double velocity(std::int64_t plateau) const;
   [[nodiscard]] double ramp_time() const;
-  [[nodiscard]] std::optional<dem::DraggedBed> dragged_bed(const dem::Dem& dem) const;
+  [[nodiscard]] bool is_low_enough(const dem::Dem& dem) const;
   void start_plateau(const dem::Dem& dem);
   void end_plateau(const dem::Dem& dem, bool is_steady);
   void watch_drop();

@@ -69,7 +69,7 @@ bool Settle::advance(dem::Dem& dem) {
 
 void Settle::begin(dem::Dem& dem) {
   if (dem.bead_count() == 0) throw ConfigError("step \"settle\": there are no beads to settle");
-  if (options_.lid) put_lid(lid_away, dem);
+  if (options_.lid) place_plunger(lid_away, dem);
   bed_ = look_at_bed(dem, area());
   state_.friction = options_.friction.value_or(options_.resin_friction);
   if (options_.porosity) {
@@ -316,7 +316,7 @@ void Settle::finish(dem::Dem& dem) {
                       "{:.4g} mm; make the column higher, or take fewer beads",
                       1e3 * bed_.top, 1e3 * *options_.lid));
     }
-    put_lid(*options_.lid, dem);
+    place_plunger(*options_.lid, dem);
   }
   dem.set_background_damping(options_.damping_after);
   enter(SettlePhase::done, dem);

@@ -12,15 +12,13 @@
 #include <string_view>
 #include <utility>
 
+#include "column/plunger.hpp"
 #include "column/protocol/bed_look.hpp"
 #include "column/protocol/stepping.hpp"
 #include "dem/dem.hpp"
 #include "mesh/column_shape.hpp"
 
 namespace packbed::column {
-
-/// z of a lid that does not act [m].
-inline constexpr double lid_away = 1e3;
 
 struct SettleOptions {
   mesh::ColumnShape shape;

@@ -87,16 +87,4 @@ void make_new_cloud(const SettleOptions& options, std::uint64_t number, dem::Dem
   take_over(state, dem);
 }
 
-void put_lid(double height, dem::Dem& dem) {
-  auto state = state_of(dem);
-  bool found = false;
-  for (auto& wall : state.walls) {
-    auto* plane = std::get_if<dem::Plane>(&wall.surface);
-    if (wall.name != "lid" || plane == nullptr) continue;
-    plane->point.z = height;
-    found = true;
-  }
-  if (found) take_over(state, dem);
-}
-
 }  // namespace packbed::column

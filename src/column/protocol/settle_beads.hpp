@@ -20,7 +20,4 @@ void remove_highest(double volume, dem::Dem& dem);
 /// Lifts all beads into a new cloud, at rest and without springs; `number` makes it another one.
 void make_new_cloud(const SettleOptions& options, std::uint64_t number, dem::Dem& dem);
 
-/// Moves the wall "lid", if there is one, to a height [m].
-void put_lid(double height, dem::Dem& dem);
-
 }  // namespace packbed::column
