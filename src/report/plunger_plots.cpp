@@ -10,6 +10,9 @@
 namespace packbed::report {
 namespace {
 
+/// By the place of the plunger, over the height of the settled bed.
+constexpr auto compression_column = "plunger_compression";
+
 /// A column of series.csv against compression.
 struct AgainstCompression {
   const char* title;
@@ -33,11 +36,12 @@ struct Stroke {
 
 std::vector<Stroke> strokes(const Columns& series, const char* column) {
   const auto& stage = series["stage"];
-  const auto& compression = series["compression"];
+  const auto& compression = series[compression_column];
   const auto& value = series[column];
   std::vector<Stroke> all;
   for (std::size_t i = 0; i < series.rows(); ++i) {
     if (!std::isfinite(compression[i]) || !std::isfinite(value[i])) continue;
+    if (value[i] == 0.0 && compression[i] < 0.0) continue;  // on its way to the bed
     if (all.empty() || all.back().stage != static_cast<int>(stage[i])) {
       all.push_back({.stage = static_cast<int>(stage[i]), .rows = {}});
     }
@@ -57,10 +61,10 @@ std::vector<Stroke> strokes(const Columns& series, const char* column) {
 }
 
 Plot against_compression(const AgainstCompression& a, std::span<const RunData> runs) {
-  Plot plot{.title = a.title, .x = {"compression of the bed [%]"}, .y = {a.axis}, .curves = {}};
+  Plot plot{.title = a.title, .x = {"compression by the plunger [%]"}, .y = {a.axis}, .curves = {}};
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const auto& series = runs[r].series;
-    if (!series.has(a.column) || !series.has("compression")) continue;
+    if (!series.has(a.column) || !series.has(compression_column)) continue;
     int color = 0;
     for (const auto& stroke : strokes(series, a.column)) {
       Curve curve{
@@ -68,7 +72,7 @@ Plot against_compression(const AgainstCompression& a, std::span<const RunData> r
       curve.draw = stroke.rises ? Draw::line : Draw::dashed;
       curve.color = runs.size() == 1 ? color++ % 8 : static_cast<int>(r);
       for (const auto i : stroke.rows) {
-        curve.x.push_back(100.0 * series["compression"][i]);
+        curve.x.push_back(100.0 * series[compression_column][i]);
         curve.y.push_back(a.factor * series[a.column][i]);
       }
       plot.add(std::move(curve));

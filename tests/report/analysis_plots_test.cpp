@@ -93,14 +93,15 @@ TEST_F(AnalysisPlots, NameATableThatIsDamaged) {
 }
 
 TEST_F(AnalysisPlots, DrawTheStrokesOfAPlungerInAscendingOrder) {
-  run_.write("series.csv",
-             "time_s,stage,compression,plunger_force_N,plunger_pressure_Pa,plunger_position_m\n"
-             "0,0,,0,0,0.012\n"
-             "1,1,0,0,0,0.012\n"
-             "2,2,0.01,1,1000,0.011\n"
-             "3,2,0.02,2,2000,0.010\n"
-             "4,3,0.015,0.5,500,0.011\n"
-             "5,3,0.005,0,0,0.012\n");
+  run_.write(
+      "series.csv",
+      "time_s,stage,plunger_compression,plunger_force_N,plunger_pressure_Pa,plunger_position_m\n"
+      "0,0,,0,0,0.012\n"
+      "1,1,-0.2,0,0,0.012\n"
+      "2,2,0.01,1,1000,0.011\n"
+      "3,2,0.02,2,2000,0.010\n"
+      "4,3,0.015,0.5,500,0.011\n"
+      "5,3,0.005,0,0,0.012\n");
   run_.write("plateaus.csv",
              "plateau,stage,start_time_s,end_time_s,superficial_velocity_m_s,pressure_drop_Pa,"
              "pressure_drop_per_height_Pa_m,bed_height_m,compression,pressure_noise,steady\n");
