@@ -223,6 +223,7 @@ struct NumericsOptions {
   std::uint64_t seed = 0;
   bool gravity = true;
   std::optional<double> background_damping;  ///< time in which a free bead slows down [s]
+  double overlap_limit = 0.3;                ///< of the smaller diameter, beyond which a run stops
   bool force_step = false;                   ///< run with a step that is known to be too long
   bool operator==(const NumericsOptions&) const = default;
 };

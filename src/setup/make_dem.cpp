@@ -179,6 +179,7 @@ dem::DemOptions options_of(const Case& c, double step) {
   options.domain = domain_of(c.column.shape);
   options.model = contact_model(c);
   options.step = step;
+  options.overlap_limit = c.numerics.overlap_limit;
   options.inertia_scale = c.numerics.inertia_scale.value_or(1.0);
   if (c.numerics.background_damping)
     options.background_damping = 1.0 / *c.numerics.background_damping;

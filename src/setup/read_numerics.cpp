@@ -17,6 +17,8 @@ NumericsOptions read_numerics(Section section, const std::vector<ProtocolStep>& 
     section.fail("gravity", "does not go with a step \"settle\" or \"tap\", which needs gravity");
   }
   numerics.force_step = section.boolean("force_step", false);
+  numerics.overlap_limit = section.quantity("overlap_limit", Dimension::fraction,
+                                            bounds::between_0_and_1, Fallback{"0.3"});
   section.finish();
   return numerics;
 }

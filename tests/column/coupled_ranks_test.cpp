@@ -21,7 +21,7 @@ struct Column {
   dem::Dem dem;
   CoupledBed bed;
 
-  Column(const std::shared_ptr<const mesh::ColumnMesh>& mesh, const Ranks& ranks)
+  Column(const std::shared_ptr<mesh::ColumnMesh>& mesh, const Ranks& ranks)
       : dem(make(mesh, ranks)), bed(*mesh, slice, options(), ranks) {
     dem.set_inertia_scale(100.0);
     dem.set_step(1e-5);
@@ -29,7 +29,7 @@ struct Column {
     bed.set_flow(fluid::FlowProgram::steady(500.0 * 0.01 / 3600.0));
   }
 
-  static dem::Dem make(const std::shared_ptr<const mesh::ColumnMesh>& mesh, const Ranks& ranks) {
+  static dem::Dem make(const std::shared_ptr<mesh::ColumnMesh>& mesh, const Ranks& ranks) {
     auto s = cloud_of(200, 0.1);
     auto o = s.dem.options();
     o.mesh = mesh;

@@ -39,10 +39,10 @@ std::vector<BeadStart> cloud(int count) {
 struct Sharing {
   const char* name;
   double load_tolerance;
-  std::shared_ptr<const mesh::ColumnMesh> mesh = {};
+  std::shared_ptr<mesh::ColumnMesh> mesh = {};
 };
 
-std::shared_ptr<const mesh::ColumnMesh> mesh_of(const mesh::ColumnShape& shape) {
+std::shared_ptr<mesh::ColumnMesh> mesh_of(const mesh::ColumnShape& shape) {
   return std::make_shared<mesh::ColumnMesh>(shape, mesh::cell_counts(shape, {.cell = 0.11e-3}));
 }
 

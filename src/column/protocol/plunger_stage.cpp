@@ -21,10 +21,12 @@ constexpr double interval_of_consolidation = 0.25;
 constexpr double least_strain = 0.01;    // elastic strain from which on a bed counts as static
 constexpr double change_of_scale = 1.5;  // before it is worth it
 constexpr std::int64_t slices_per_choice = 20;  // of the inertia scale
-constexpr double share_of_error = 0.2;          // of the force, that the servo closes per slice
-constexpr double force_tolerance = 0.002;       // of the target
-constexpr double share_that_is_loose = 0.05;    // of the force that a bed is relieved from
-constexpr double share_that_is_free = 0.005;    // of the force that a bed is relieved from
+constexpr double memory_of_stiffness = 0.95;    // from slice to slice
+constexpr double least_way = 0.01;            // of a slice that tells a stiffness, over the longest
+constexpr double share_of_error = 0.1;        // of the force, that the servo closes per slice
+constexpr double force_tolerance = 0.002;     // of the target
+constexpr double share_that_is_loose = 0.05;  // of the force that a bed is relieved from
+constexpr double share_that_is_free = 0.005;  // of the force that a bed is relieved from
 constexpr double rounding = 1e-9;
 
 /// Names and values of the state, in one place for both directions.
@@ -173,7 +175,11 @@ void PlungerStage::step(double speed, double time, dem::Dem& dem) {
   state_.force = plunger_force(dem);
   const double way = before - position(dem);
   state_.work += 0.5 * (force + state_.force) * way;
-  if (way != 0.0) state_.stiffness = std::max(0.0, (state_.force - force) / way);
+  // A bed is stiffer at first than once its liquid has left: the stiffest of late counts.
+  if (std::abs(way) > least_way * std::abs(options_.speed) * time) {
+    state_.stiffness =
+        std::max(memory_of_stiffness * state_.stiffness, (state_.force - force) / way);
+  }
   ++state_.slices;
 }
 
