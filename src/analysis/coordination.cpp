@@ -7,8 +7,6 @@
 namespace packbed::analysis {
 namespace {
 
-constexpr int fewest_contacts = 4;
-
 /// Beads that have contacts, numbered in the order of their ids, with their neighbors: those of bead k are
 /// neighbor[first[k]] to neighbor[first[k + 1] - 1].
 struct Graph {
@@ -50,12 +48,12 @@ Graph make_graph(std::span<const TouchingPair> pairs) {
 }
 
 /// Which beads are rattlers.
-std::vector<bool> rattlers(const Graph& g) {
+std::vector<bool> rattlers(const Graph& g, int holding) {
   std::vector<bool> loose(g.ids.size(), false);
   auto contacts = g.contacts;
   std::vector<std::size_t> waiting;
   const auto look_at = [&](std::size_t k) {
-    if (loose[k] || contacts[k] >= fewest_contacts) return;
+    if (loose[k] || contacts[k] >= holding) return;
     loose[k] = true;
     waiting.push_back(k);
   };
@@ -99,10 +97,10 @@ std::vector<TouchingPair> touching_pairs(const dem::Dem& dem) {
   return pairs;
 }
 
-Coordination coordination(std::span<const TouchingPair> pairs, std::int64_t beads) {
+Coordination coordination(std::span<const TouchingPair> pairs, std::int64_t beads, int holding) {
   const Graph g = make_graph(pairs);
   assert(beads >= static_cast<std::int64_t>(g.ids.size()));
-  const auto loose = rattlers(g);
+  const auto loose = rattlers(g, holding);
   std::int64_t left = 0;
   std::int64_t contacts_left = 0;
   for (std::size_t k = 0; k < g.ids.size(); ++k) {

@@ -29,9 +29,17 @@ struct Coordination {
   std::int64_t rattlers = 0;           ///< beads taken away
 };
 
-/// Of `beads` beads and all their contacts. A rattler has fewer than four contacts and bears no load: four
-/// hold a bead in place. Rattlers are taken away with their contacts, again and again until none is left.
+/// Contacts that hold a bead in place: four without friction; with friction two may (Thornton, Geotechnique 50
+/// (2000) 43: beads with one contact or none have no part in the state of stress).
+inline constexpr int holding_frictionless = 4;
+inline constexpr int holding_with_friction = 2;
+
+/// Of `beads` beads and all their contacts. A rattler has fewer than `holding` contacts and bears no load.
+/// Rattlers are taken away with their contacts, again and again until none is left. In a bed with friction, which
+/// stands on five contacts per bead, the rule of four would take all beads away.
 /// Contacts with walls hold a bead like others, but do not count in the means.
-Coordination coordination(std::span<const TouchingPair> pairs, std::int64_t beads);
+Coordination coordination(std::span<const TouchingPair> pairs,
+                          std::int64_t beads,
+                          int holding = holding_frictionless);
 
 }  // namespace packbed::analysis

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/bead_commands.hpp"
+#include "app/commands.hpp"
 #include "app/flow_commands.hpp"
 #include "app/wall_support_commands.hpp"
 
@@ -18,6 +19,10 @@ namespace packbed::app {
 using Action = std::function<int()>;
 
 void add_json(CLI::App& command, bool& json);
+
+/// `packbed analyze` and `packbed compare`
+void add_analyze(CLI::App& app, AnalyzeCommand& options, Action& action);
+void add_compare(CLI::App& app, CompareCommand& options, Action& action);
 
 /// `packbed bead ...`
 void add_bead(CLI::App& app, BeadCommands& commands, Action& action);

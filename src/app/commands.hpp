@@ -35,6 +35,22 @@ struct ReportCommand {
 };
 int report(const ReportCommand& command);
 
+struct AnalyzeCommand {
+  std::filesystem::path run;     ///< folder
+  std::filesystem::path output;  ///< folder; empty: analysis in that of the run
+  int frame = -1;                ///< this one alone; -1: those at ends of stages
+  bool all = false;              ///< all frames
+  bool json = false;
+};
+int analyze(const AnalyzeCommand& command);
+
+struct CompareCommand {
+  std::vector<std::filesystem::path> runs;  ///< folders
+  std::filesystem::path output = "comparison.html";
+  std::filesystem::path csv;  ///< empty: none
+};
+int compare(const CompareCommand& command);
+
 struct ResinsCommand {
   std::string name;     ///< empty: list all
   std::string library;  ///< file of the user's own; empty: none

@@ -32,7 +32,8 @@ io::ContactLine line_of(const dem::ContactReport& c) {
           .id_j = c.id_j,
           .normal_force = push >= 0.0 ? norm(c.normal) : -norm(c.normal),
           .tangential_force = norm(c.tangential),
-          .overlap = c.overlap};
+          .overlap = c.overlap,
+          .tangential = c.tangential};
 }
 
 }  // namespace

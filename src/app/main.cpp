@@ -109,6 +109,8 @@ int dispatch(int argc, char** argv) {
   RunCommand run_options;
   CheckCommand check_options;
   ReportCommand report_options;
+  AnalyzeCommand analyze_options;
+  CompareCommand compare_options;
   ResinsCommand resins_options;
   UnitsCommand units_options;
   BeadCommands bead_options;
@@ -118,6 +120,8 @@ int dispatch(int argc, char** argv) {
   add_run(app, run_options, action);
   add_check(app, check_options, action);
   add_report(app, report_options, action);
+  add_analyze(app, analyze_options, action);
+  add_compare(app, compare_options, action);
   add_resins(app, resins_options, action);
   add_units(app, units_options, action);
   add_bead(app, bead_options, action);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "app/analyze.hpp"
 #include "app/commands.hpp"
 #include "app/print.hpp"
 #include "app/report.hpp"
@@ -81,7 +82,7 @@ void tell_results(const RunSummary& r) {
 
 void tell_files(const setup::Case& c, const std::filesystem::path& folder) {
   std::string files = "series.csv";
-  for (const auto* name : {"sections.csv", "plateaus.csv", "profiles", "frames"}) {
+  for (const auto* name : {"sections.csv", "plateaus.csv", "profiles", "frames", "analysis"}) {
     if (std::filesystem::exists(folder / name)) files += fmt::format(", {}", name);
   }
   if (c.protocol.empty()) fmt::print("The protocol has no steps: the start was written.\n");
@@ -93,6 +94,18 @@ void tell_files(const setup::Case& c, const std::filesystem::path& folder) {
 void write_measured(const setup::Case& c, const std::filesystem::path& folder) {
   if (!c.output.measured) return;
   write_text_file(folder / "measured.csv", setup::to_csv(c.output.measured_points));
+}
+
+/// The run has ended well, whatever becomes of its analysis.
+void analyze_frames_of(const setup::Case& c,
+                       const std::filesystem::path& folder,
+                       const UnitSystem& units) {
+  if (!c.output.analysis) return;
+  try {
+    analyze_ended_run(folder, units);
+  } catch (const Error& error) {
+    fmt::print(stderr, "packbed: the frames were not analyzed: {}\n", error.what());
+  }
 }
 
 void tell_prepared(const setup::Case& c, const std::filesystem::path& folder, int ranks_asked) {
@@ -168,6 +181,7 @@ int run(const RunCommand& command) {
   summary["figures"] = setup::figures_json(c, f);
   write_text_file(folder / "summary.json", json_text(summary));
   write_measured(c, folder);
+  if (carried_out) analyze_frames_of(c, folder, units);
   if (command.json) {
     fmt::print("{}", json_text(summary));
     write_report(folder, units);

@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 
 // May differ between a run and its continuation: they change no result.
 const std::set<std::string> free_keys = {"title", "output.directory", "output.checkpoint_interval",
-                                         "output.measured"};
+                                         "output.measured", "output.analysis"};
 
 Json identity_of(const setup::Case& c) {
   Json values = Json::array();

@@ -46,6 +46,13 @@ constexpr Pattern patterns[] = {{"", "summary.json", ""},
                                 {"profiles", "plateau_z_", ".csv"},
                                 {"profiles", "plateau_x_", ".csv"},
                                 {"profiles", "plateau_radius_", ".csv"},
+                                {"analysis", "analysis.csv", ""},
+                                {"analysis", "rearrangement.csv", ""},
+                                {"analysis", "forces_", ".csv"},
+                                {"analysis", "angles_", ".csv"},
+                                {"analysis", "stress_", ".csv"},
+                                {"analysis", "wall_porosity_", ".csv"},
+                                {"analysis", "wall_velocity_", ".csv"},
                                 {"checkpoints", "checkpoint_", ".h5"},
                                 {"checkpoints", "timings.json", ""}};
 
@@ -59,7 +66,7 @@ bool matches(std::string name, const Pattern& pattern) {
 std::vector<fs::path> results_in(const fs::path& folder) {
   std::vector<fs::path> results;
   std::error_code none;
-  for (const auto* below : {"", "frames", "profiles", "checkpoints"}) {
+  for (const auto* below : {"", "frames", "profiles", "analysis", "checkpoints"}) {
     for (const auto& entry : fs::directory_iterator(folder / below, none)) {
       const auto is_ours = [&](const Pattern& p) {
         return std::string_view(p.folder) == below && matches(entry.path().filename().string(), p);

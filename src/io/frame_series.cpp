@@ -14,8 +14,6 @@
 #include "io/durable_file.hpp"
 
 namespace packbed::io {
-namespace {}  // namespace
-
 FrameSeries::FrameSeries(std::filesystem::path folder, std::string name)
     : folder_(std::move(folder)), name_(std::move(name)) {}
 
@@ -32,15 +30,25 @@ FrameSeries FrameSeries::resume(std::filesystem::path folder,
   series.times_.resize(extent.frames);
   series.numbers_.resize(extent.frames);
   series.next_number_ = extent.next_number;
-  for (const auto number : series.numbers_) {
-    const auto frame = series.folder_ / series.frame_name(number);
-    if (std::filesystem::exists(frame)) continue;
-    throw DataError(fmt::format("{}: this frame is missing, though {} lists it", frame.string(),
-                                series.list().string()));
-  }
+  series.check_files();
   if (is_there) series.write_list();  // first, so that it never names a frame that is gone
   series.remove_later_frames();
   return series;
+}
+
+FrameSeries FrameSeries::read(std::filesystem::path folder, std::string name) {
+  FrameSeries series(std::move(folder), std::move(name));
+  series.read_list();
+  series.check_files();
+  return series;
+}
+
+void FrameSeries::check_files() const {
+  for (const auto number : numbers_) {
+    if (std::filesystem::exists(file(number))) continue;
+    throw DataError(fmt::format("{}: this frame is missing, though {} lists it",
+                                file(number).string(), list().string()));
+  }
 }
 
 // Throws DataError unless it is one of ours.

@@ -37,6 +37,9 @@ class FrameSeries {
     return resume(std::move(folder), std::move(name), Extent{frames, frames});
   }
 
+  /// A series as it stands, to be read. Throws DataError as resume() does; a missing list too.
+  static FrameSeries read(std::filesystem::path folder, std::string name);
+
   /// Where the next frame goes.
   [[nodiscard]] std::filesystem::path next() const;
   /// Puts the frame that was written to next() on the list, at this time [s], not before the last
@@ -48,12 +51,17 @@ class FrameSeries {
   [[nodiscard]] std::size_t size() const { return times_.size(); }
   [[nodiscard]] Extent extent() const { return {size(), next_number_}; }
   [[nodiscard]] const std::vector<double>& times() const { return times_; }
+  [[nodiscard]] const std::vector<std::size_t>& numbers() const { return numbers_; }  ///< likewise
+  [[nodiscard]] std::filesystem::path file(std::size_t number) const {
+    return folder_ / frame_name(number);
+  }
   [[nodiscard]] std::filesystem::path list() const;
 
  private:
   [[nodiscard]] std::string frame_name(std::size_t number) const;
   [[nodiscard]] std::optional<std::size_t> number_in(const std::string& file) const;
   void read_list();
+  void check_files() const;
   void write_list() const;
   void remove_later_frames() const;
 

@@ -76,6 +76,7 @@ void write_contact_frame(const std::filesystem::path& file,
   const auto connectivity = zero_to(ends.size());
   const auto normal = each(frame.contacts, &ContactLine::normal_force);
   const auto tangential = each(frame.contacts, &ContactLine::tangential_force);
+  const auto vectors = each(frame.contacts, &ContactLine::tangential);
   const auto overlap = each(frame.contacts, &ContactLine::overlap);
   const auto id_i = each(frame.contacts, &ContactLine::id_i);
   const auto id_j = each(frame.contacts, &ContactLine::id_j);
@@ -87,6 +88,7 @@ void write_contact_frame(const std::filesystem::path& file,
        .point_data = {},
        .cell_data = {{"normal_force_N", std::span<const double>(normal)},
                      {"tangential_force_N", std::span<const double>(tangential)},
+                     {"tangential_force_vector_N", std::span<const Vec3>(vectors)},
                      {"overlap_m", std::span<const double>(overlap)},
                      {"id_i", std::span<const std::int64_t>(id_i)},
                      {"id_j", std::span<const std::int64_t>(id_j)}},

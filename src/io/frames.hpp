@@ -41,6 +41,8 @@ struct ContactLine {
   double normal_force = 0.0;      ///< positive where they push [N]
   double tangential_force = 0.0;  ///< amount [N]
   double overlap = 0.0;           ///< [m]
+  Vec3 tangential;                ///< force on bead i along the surface [N]
+  bool operator==(const ContactLine&) const = default;
 };
 
 /// What stands for a wall where ids of beads stand: -1 for wall 0, -2 for wall 1 ...
@@ -52,8 +54,8 @@ struct ContactFrame {
   std::span<const ContactLine> contacts;
 };
 
-/// Writes contacts as lines with `normal_force_N`, `tangential_force_N`, `overlap_m`, `id_i` and
-/// `id_j`; each has two points of its own. Throws DataError if the file cannot be written.
+/// Writes contacts as lines with `normal_force_N`, `tangential_force_N`, `tangential_force_vector_N`,
+/// `overlap_m`, `id_i` and `id_j`; each has two points of its own. Throws DataError if the file cannot be written.
 void write_contact_frame(const std::filesystem::path& file,
                          const ContactFrame& frame,
                          const FrameOptions& options = {});

@@ -46,6 +46,17 @@ std::vector<Branch> branches(std::span<const Plateau> plateaus) {
   return all;
 }
 
+std::string stage_label(const RunData& run, int stage) {
+  const auto place = static_cast<std::size_t>(stage - 1);
+  const bool has_name = stage > 0 && place < run.stages.size();
+  return fmt::format("stage {}{}{}", stage, has_name ? ", " : "",
+                     has_name ? run.stages[place] : "");
+}
+
+std::string stage_end_label(const RunData& run, int stage) {
+  return stage == 0 ? "at the start" : "after " + stage_label(run, stage);
+}
+
 bool falls(const RunData& run, std::size_t plateau) {
   return plateau > 0 && run.plateaus[plateau].velocity < run.plateaus[plateau - 1].velocity;
 }

@@ -34,15 +34,22 @@ std::optional<double> value(std::string_view cell) {
 
 }  // namespace
 
-Columns::Columns(const std::filesystem::path& file) : file_(file) {
+Columns::Columns(const std::filesystem::path& file, std::string_view text_column) : file_(file) {
   const auto text = read_text_file(file);
   std::string_view rest = text;
   std::vector<std::vector<double>*> in_order;
-  for (const auto& name : split(next_part(rest, '\n'))) in_order.push_back(&columns_[name]);
+  for (const auto& name : split(next_part(rest, '\n'))) {
+    const bool is_text = !text_column.empty() && name == text_column;
+    in_order.push_back(is_text ? nullptr : &columns_[name]);
+  }
   for (std::size_t line = 2; !rest.empty(); ++line) {
     auto cells = next_part(rest, '\n');
     const auto count = static_cast<std::size_t>(std::ranges::count(cells, ',')) + 1;
     for (auto* column : in_order) {
+      if (column == nullptr && count == in_order.size()) {
+        texts_.emplace_back(next_part(cells, ','));
+        continue;
+      }
       const auto number = count == in_order.size() ? value(next_part(cells, ',')) : std::nullopt;
       if (!number) {
         throw DataError(fmt::format(

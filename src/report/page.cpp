@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/page.hpp"
 
-#include <set>
-
 #include <fmt/format.h>
 
 #include "report/case_words.hpp"
 #include "report/html.hpp"
 #include "report/key_figures.hpp"
 #include "report/plots.hpp"
+#include "report/scorecard.hpp"
 #include "report/tables.hpp"
 #include "report/web_files.hpp"
 
@@ -76,7 +75,7 @@ std::string case_section(const RunData& run, const UnitSystem& units) {
 }
 
 /// Headings and places of the plots; their data goes to `data`, in the same order.
-std::string plot_section(const PlotGroup& group, Json& data) {
+std::string plot_section(const PlotGroup& group, Json& data, const std::vector<Rose>& roses = {}) {
   if (group.plots.empty()) return {};
   std::string body = fmt::format("<p>{}</p>\n<div class=\"plots\">\n", escaped(group.text));
   for (const auto& plot : group.plots) {
@@ -85,6 +84,7 @@ std::string plot_section(const PlotGroup& group, Json& data) {
         escaped(plot.title), data.size());
     data.push_back(to_json(plot));
   }
+  for (const auto& rose : roses) body += rose_figure(rose);
   return section(group.id, group.title, body + "</div>\n");
 }
 
@@ -95,27 +95,13 @@ std::string subtitle(const std::vector<RunData>& runs) {
                      escaped(std::filesystem::path(summary.value("case", "")).filename().string()));
 }
 
-/// By their titles, else by their folders.
-void tell_apart(std::vector<RunData>& runs) {
-  const auto are_distinct = [&] {
-    std::set<std::string> labels;
-    for (const auto& run : runs) labels.insert(run.label);
-    return labels.size() == runs.size();
-  };
-  for (auto& run : runs) run.label = run.title();
-  if (are_distinct()) return;
-  for (auto& run : runs)
-    run.label = std::filesystem::absolute(run.folder).lexically_normal().filename().string();
-  if (are_distinct()) return;
-  for (auto& run : runs) run.label = run.folder.string();
-}
-
 std::string links(const std::string& body) {
   std::string html;
   const std::pair<const char*, const char*> places[] = {
-      {"figures", "Key figures"}, {"case", "Case"},         {"flow", "Flow"},
-      {"time", "Time"},           {"sections", "Sections"}, {"profiles", "Profiles"},
-      {"checks", "Checks"},       {"times", "Timings"}};
+      {"scores", "Methods"},    {"figures", "Key figures"}, {"case", "Case"},
+      {"flow", "Flow"},         {"plunger", "Plunger"},     {"time", "Time"},
+      {"sections", "Sections"}, {"evenness", "Evenness"},   {"forces", "Forces"},
+      {"profiles", "Profiles"}, {"checks", "Checks"},       {"times", "Timings"}};
   for (const auto& [id, name] : places) {
     if (body.find(fmt::format("<section id=\"{}\">", id)) == std::string::npos) continue;
     html += fmt::format("<a href=\"#{}\">{}</a>\n", id, name);
@@ -130,11 +116,13 @@ std::string page(std::vector<RunData> runs, const UnitSystem& units) {
   const bool is_one = runs.size() == 1;
   auto body = warnings_box(runs);
   body += is_one ? tiles(runs[0]) + case_section(runs[0], units)
-                 : figure_table(runs) + difference_table(runs);
+                 : scorecard_section(runs) + figure_table(runs) + difference_table(runs);
   auto data = Json::array();
-  for (auto* plots : {flow_plots, time_plots, section_plots, profile_plots, check_plots}) {
+  for (auto* plots : {flow_plots, plunger_plots, time_plots, section_plots, evenness_plots}) {
     body += plot_section(plots(runs), data);
   }
+  body += plot_section(force_plots(runs), data, direction_roses(runs));
+  for (auto* plots : {profile_plots, check_plots}) body += plot_section(plots(runs), data);
   if (is_one) body += times_table(runs[0]);
   const auto title = is_one ? escaped(runs[0].title()) : "Comparison of runs";
   return fmt::format(

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "report/plot.hpp"
+#include "report/rose.hpp"
 #include "report/run_data.hpp"
 
 namespace packbed::report {
@@ -19,7 +20,15 @@ namespace packbed::report {
 PlotGroup flow_plots(std::span<const RunData> runs);
 /// Flow and bed against time.
 PlotGroup time_plots(std::span<const RunData> runs);
-/// Compression of the material sections.
+/// Force of the plunger against compression, where a run has one.
+PlotGroup plunger_plots(std::span<const RunData> runs);
+/// What frames tell of forces, directions and stresses.
+PlotGroup force_plots(std::span<const RunData> runs);
+/// Directions of contacts and of the forces that they carry, for the same section.
+std::vector<Rose> direction_roses(std::span<const RunData> runs);
+/// Sections, wall and liquid over the stages, or over the cycles of several runs.
+PlotGroup evenness_plots(std::span<const RunData> runs);
+/// Compression and packing density of the material sections.
 PlotGroup section_plots(std::span<const RunData> runs);
 /// Porosity, and where there are plateaus velocity and pressure, over slices of the bed.
 PlotGroup profile_plots(std::span<const RunData> runs);
@@ -41,6 +50,11 @@ std::vector<Branch> branches(std::span<const Plateau> plateaus);
 
 /// What a curve is called: `what`, with the run in front where there are several.
 std::string curve_label(std::span<const RunData> runs, std::size_t run, const std::string& what);
+
+/// "stage 3, compress".
+std::string stage_label(const RunData& run, int stage);
+/// "after stage 3, compress"; "at the start".
+std::string stage_end_label(const RunData& run, int stage);
 
 /// Whether the flow of a plateau is lower than that of the one before.
 bool falls(const RunData& run, std::size_t plateau);

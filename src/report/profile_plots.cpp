@@ -19,13 +19,6 @@ Curve curve_of(const Columns& table, const std::string& along, const char* colum
   return curve;
 }
 
-std::string stage_label(const RunData& run, int stage) {
-  if (stage == 0) return "at the start";
-  const auto place = static_cast<std::size_t>(stage - 1);
-  return fmt::format("after stage {}{}{}", stage, place < run.stages.size() ? ", " : "",
-                     place < run.stages.size() ? run.stages[place] : "");
-}
-
 /// At the ends of the stages of one run, or at the end of each of several runs.
 Plot at_stage_ends(std::span<const RunData> runs,
                    std::vector<Profile> RunData::*profiles,
@@ -36,7 +29,7 @@ Plot at_stage_ends(std::span<const RunData> runs,
     const auto& all = runs[r].*profiles;
     for (const auto k : spread(all.size(), runs.size() == 1 ? limit : 1)) {
       auto curve = curve_of(all[k].table, along, "porosity", 1.0);
-      const auto label = stage_label(runs[r], all[k].number);
+      const auto label = stage_end_label(runs[r], all[k].number);
       curve.label = curve_label(runs, r, label);
       curve.color = static_cast<int>(runs.size() == 1 ? k % limit : r);
       plot.add(std::move(curve));

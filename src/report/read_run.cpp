@@ -68,6 +68,20 @@ void add_stages(const Json& steps, std::vector<std::string>& stages) {
   }
 }
 
+/// The names that the run gave its stages, where the summary tells them: they know what a step of the case became.
+void take_names_of(const Json& summary, std::vector<std::string>& stages) {
+  const auto found = summary.find("timings");
+  if (found == summary.end() || !found->is_array()) return;
+  for (const auto& t : *found) {
+    const auto stage = t.value("stage", std::int64_t{0});
+    const auto name = t.value("name", std::string());
+    if (stage < 1 || stage > 100'000 || name.empty()) continue;
+    if (stages.size() < static_cast<std::size_t>(stage))
+      stages.resize(static_cast<std::size_t>(stage), "?");
+    stages[static_cast<std::size_t>(stage - 1)] = name;
+  }
+}
+
 /// "z_000012.csv" is number 12 of "z_".
 std::optional<int> number_of(const fs::path& file, std::string_view begin) {
   const auto name = file.stem().string();
@@ -82,10 +96,10 @@ std::optional<int> number_of(const fs::path& file, std::string_view begin) {
   return number;
 }
 
-std::vector<Profile> read_profiles(const fs::path& folder, std::string_view begin) {
+std::vector<Profile> read_tables(const fs::path& folder, std::string_view begin) {
   std::vector<Profile> profiles;
   std::error_code none;
-  for (const auto& entry : fs::directory_iterator(folder / "profiles", none)) {
+  for (const auto& entry : fs::directory_iterator(folder, none)) {
     const auto number = number_of(entry.path(), begin);
     if (number) profiles.push_back({.number = *number, .table = Columns(entry.path())});
   }
@@ -118,17 +132,18 @@ RunData read_files(const fs::path& folder, const UnitSystem& units) {
   run.values = case_values(run.case_text, folder / "case.toml");
   run.label = run.title();
   add_stages(run.values.value("protocol", Json::array()), run.stages);
+  take_names_of(run.summary, run.stages);
   const bool was_simulated = run.summary.contains("simulated_time_s");
   if (!was_simulated) return run;
   run.series = Columns(folder / "series.csv");
   if (fs::exists(folder / "sections.csv")) run.sections = Columns(folder / "sections.csv");
   run.plateaus = fs::exists(folder / "plateaus.csv") ? read_plateaus(folder / "plateaus.csv")
                                                      : plateaus_of_series(run.series);
-  run.porosity_z = read_profiles(folder, "z_");
-  run.porosity_wall = read_profiles(folder, "wall_distance_");
-  run.plateau_z = read_profiles(folder, "plateau_z_");
+  run.porosity_z = read_tables(folder / "profiles", "z_");
+  run.porosity_wall = read_tables(folder / "profiles", "wall_distance_");
+  run.plateau_z = read_tables(folder / "profiles", "plateau_z_");
   for (const auto* axis : {"x", "radius"}) {
-    auto profiles = read_profiles(folder, fmt::format("plateau_{}_", axis));
+    auto profiles = read_tables(folder / "profiles", fmt::format("plateau_{}_", axis));
     if (profiles.empty()) continue;
     run.plateau_across = std::move(profiles);
     run.across = axis;
@@ -139,9 +154,25 @@ RunData read_files(const fs::path& folder, const UnitSystem& units) {
   return run;
 }
 
+void add_analysis(RunData& run) {
+  const auto folder = run.folder / "analysis";
+  if (!fs::exists(folder / "analysis.csv")) return;
+  run.analysis = Columns(folder / "analysis.csv", "stage_name");
+  run.forces = read_tables(folder, "forces_");
+  run.angles = read_tables(folder, "angles_");
+  run.stress = read_tables(folder, "stress_");
+  run.wall_velocity = read_tables(folder, "wall_velocity_");
+}
+
 }  // namespace
 
 RunData read_run(const fs::path& folder, const UnitSystem& units) {
+  auto run = read_results(folder, units);
+  add_analysis(run);
+  return run;
+}
+
+RunData read_results(const fs::path& folder, const UnitSystem& units) {
   check_folder(folder);
   try {
     return read_files(folder, units);

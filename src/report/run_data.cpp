@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -56,6 +57,20 @@ std::vector<std::string> RunData::warnings() const {
                     unsteady == 1 ? "was" : "were", unsteady == 1 ? "its" : "their"));
   }
   return all;
+}
+
+void tell_apart(std::vector<RunData>& runs) {
+  const auto are_distinct = [&] {
+    std::set<std::string> labels;
+    for (const auto& run : runs) labels.insert(run.label);
+    return labels.size() == runs.size();
+  };
+  for (auto& run : runs) run.label = run.title();
+  if (are_distinct()) return;
+  for (auto& run : runs)
+    run.label = std::filesystem::absolute(run.folder).lexically_normal().filename().string();
+  if (are_distinct()) return;
+  for (auto& run : runs) run.label = run.folder.string();
 }
 
 std::vector<Plateau> plateaus_of_series(const Columns& series) {

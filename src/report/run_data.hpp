@@ -58,6 +58,11 @@ struct RunData {
   std::vector<Profile> plateau_across;  ///< over x or radius
   std::string across;                   ///< "x" or "radius"
   std::optional<setup::MeasuredFlow> measured;
+  Columns analysis;             ///< analysis.csv, texts: names of stages; empty if it was not made
+  std::vector<Profile> forces;  ///< P(F/<F>); these are numbered by frames
+  std::vector<Profile> angles;  ///< where contacts point
+  std::vector<Profile> stress;  ///< over the height
+  std::vector<Profile> wall_velocity;  ///< over the distance from the wall
 
   [[nodiscard]] bool was_simulated() const { return !series.empty(); }
   /// A number of the summary by its JSON pointer, such as "/figures/liquid/viscosity_Pa_s"; none if it is not there.
@@ -70,6 +75,11 @@ struct RunData {
 /// Reads the folder of a run. Throws DataError, on one line, for a folder that is not there, a run that has
 /// not ended, a file that is missing or damaged.
 RunData read_run(const std::filesystem::path& folder, const UnitSystem& units);
+/// The same without what `packbed analyze` has added.
+RunData read_results(const std::filesystem::path& folder, const UnitSystem& units);
+
+/// Gives runs labels that tell them apart: their titles, else the names of their folders, else the whole paths.
+void tell_apart(std::vector<RunData>& runs);
 
 /// Plateaus of a run that has no plateaus.csv: rows after which a flow that stood still in a stage changes.
 std::vector<Plateau> plateaus_of_series(const Columns& series);

@@ -8,10 +8,11 @@
 namespace packbed::report {
 namespace {
 
-/// Compressions of all sections, top first, at one time.
+/// All sections, top first, at one time.
 struct Row {
   double time;
   std::vector<double> compression;
+  std::vector<double> density{};
 };
 
 std::vector<Row> rows_of(const Columns& sections) {
@@ -20,37 +21,43 @@ std::vector<Row> rows_of(const Columns& sections) {
   const auto& time = sections["time_s"];
   const auto& section = sections["section"];
   const auto& compression = sections["compression"];
+  const auto& density = sections["packing_density"];
   for (std::size_t i = 0; i < sections.rows(); ++i) {
     if (section[i] == 1.0) rows.push_back({.time = time[i], .compression = {}});
-    if (!rows.empty()) rows.back().compression.push_back(compression[i]);
+    if (rows.empty()) continue;
+    rows.back().compression.push_back(compression[i]);
+    rows.back().density.push_back(density[i]);
   }
   return rows;
+}
+
+/// The row nearest to a time. A bed that has settled has two at one instant: the last one counts.
+const Row& row_at(const std::vector<Row>& rows, double time) {
+  auto at = std::ranges::upper_bound(rows, time, {}, &Row::time);
+  if (at == rows.end() || (at != rows.begin() && time - std::prev(at)->time < at->time - time))
+    --at;
+  return *at;
 }
 
 /// The row nearest in time to the end of each plateau.
 std::vector<Row> rows_at(const std::vector<Row>& rows, std::span<const Plateau> plateaus) {
   std::vector<Row> found;
   if (rows.empty()) return found;
-  for (const auto& plateau : plateaus) {
-    auto at = std::ranges::lower_bound(rows, plateau.time, {}, &Row::time);
-    if (at == rows.end() ||
-        (at != rows.begin() && plateau.time - std::prev(at)->time < at->time - plateau.time)) {
-      --at;
-    }
-    found.push_back(*at);
-  }
+  for (const auto& plateau : plateaus) found.push_back(row_at(rows, plateau.time));
   return found;
 }
 
-Curve against_section(const Row& row) {
+Curve over_sections(const std::vector<double>& values, double factor) {
   Curve curve;
-  for (std::size_t k = 0; k < row.compression.size(); ++k) {
+  for (std::size_t k = 0; k < values.size(); ++k) {
     curve.x.push_back(static_cast<double>(k + 1));
-    curve.y.push_back(100.0 * row.compression[k]);
+    curve.y.push_back(factor * values[k]);
   }
   curve.draw = Draw::line_with_points;
   return curve;
 }
+
+Curve against_section(const Row& row) { return over_sections(row.compression, 100.0); }
 
 Plot plot_against_section(const char* title) {
   return {.title = title,
@@ -108,6 +115,45 @@ Plot at_the_end(std::span<const RunData> runs) {
   return plot;
 }
 
+/// Times at which stages end, those with sections, and their numbers.
+struct StageEnd {
+  int stage;
+  double time;
+};
+std::vector<StageEnd> stage_ends(const RunData& run, const std::vector<Row>& rows) {
+  std::vector<StageEnd> ends;
+  if (rows.empty()) return ends;
+  const auto& stage = run.series["stage"];
+  const auto& time = run.series["time_s"];
+  for (std::size_t i = 0; i < run.series.rows(); ++i) {
+    if (i + 1 < run.series.rows() && stage[i + 1] == stage[i]) continue;
+    if (time[i] < rows.front().time) continue;
+    ends.push_back({static_cast<int>(stage[i]), time[i]});
+  }
+  return ends;
+}
+
+/// At the ends of the stages of one run, or at the end of each of several.
+Plot densities(std::span<const RunData> runs) {
+  constexpr std::size_t limit = 8;
+  const bool one_run = runs.size() == 1;
+  Plot plot{.title = one_run ? "Packing density of the sections" : "Packing density at the end",
+            .x = {.label = "section (1 = top)", .whole_numbers = true},
+            .y = {"packing density [-]"},
+            .curves = {}};
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const auto rows = rows_of(runs[r].sections);
+    const auto ends = stage_ends(runs[r], rows);
+    for (const auto k : spread(ends.size(), one_run ? limit : 1)) {
+      auto curve = over_sections(row_at(rows, ends[k].time).density, 1.0);
+      curve.label = curve_label(runs, r, stage_end_label(runs[r], ends[k].stage));
+      curve.color = static_cast<int>(one_run ? k % limit : r);
+      plot.add(std::move(curve));
+    }
+  }
+  return plot;
+}
+
 Plot at_the_highest_flow(std::span<const RunData> runs) {
   auto plot = plot_against_section("Sections at the highest flow");
   for (std::size_t r = 0; r < runs.size(); ++r) {
@@ -135,12 +181,15 @@ PlotGroup section_plots(std::span<const RunData> runs) {
   if (runs.size() > 1) {
     group.add(at_the_highest_flow(runs));
     group.add(at_the_end(runs));
+    group.add(densities(runs));
     return group;
   }
   const auto rows = rows_at(rows_of(runs[0].sections), runs[0].plateaus);
-  if (rows.empty()) return group;
-  group.add(each_plateau(runs[0], rows));
-  group.add(each_section(runs[0], rows));
+  if (!rows.empty()) {
+    group.add(each_plateau(runs[0], rows));
+    group.add(each_section(runs[0], rows));
+  }
+  group.add(densities(runs));
   return group;
 }
 

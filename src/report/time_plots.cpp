@@ -21,6 +21,8 @@ struct Against {
 const Against in_time[] = {
     {"Superficial velocity", "superficial velocity [cm/h]", "superficial_velocity_m_s", per_cm_h},
     {"Pressure drop", "pressure drop [bar]", "pressure_drop_Pa", per_bar},
+    {"Plunger position", "height of the plunger [mm]", "plunger_position_m", per_mm},
+    {"Plunger force", "force on the plunger [N]", "plunger_force_N", 1.0},
     {"Bed height", "bed height [mm]", "bed_height_m", per_mm},
     {"Compression", "compression [%]", "compression", 100.0},
     {"Porosity of the middle half", "porosity [-]", "middle_porosity", 1.0}};

@@ -243,6 +243,7 @@ struct OutputOptions {
   bool beads_csv = false;                     ///< also write frames/beads_N.csv at each row
   bool frames = true;                         ///< write frames/beads_N.hdf and contacts_N.hdf
   std::optional<double> frame_interval;       ///< simulated [s]; none: at the ends of stages
+  bool analysis = true;                       ///< analyze frames at the end of the run
   std::optional<double> checkpoint_interval;  ///< wall time [s]; none: only when a run is stopped
   std::optional<std::filesystem::path> measured;  ///< table of points shown in the report
   MeasuredFlow measured_points;                   ///< of `measured`

@@ -57,4 +57,13 @@ Case read_case(const std::filesystem::path& file, const UnitSystem& units) {
   return read_case_text(read_text_file(file), file, units);
 }
 
+mesh::ColumnShape read_column_shape(std::string_view text,
+                                    const std::filesystem::path& file,
+                                    const UnitSystem& units) {
+  const auto table = parse_toml(text, file);
+  Reading reading{units, file, {}};
+  Section top(reading, table, "", "");
+  return read_column(top.table("column"), top.has("liquid")).shape;
+}
+
 }  // namespace packbed::setup

@@ -22,4 +22,9 @@ Case read_case_text(std::string_view text,
                     const std::filesystem::path& file,
                     const UnitSystem& units);
 
+/// The shape of the column that a case describes. Nothing else of the case is read: files that it names may be gone.
+mesh::ColumnShape read_column_shape(std::string_view text,
+                                    const std::filesystem::path& file,
+                                    const UnitSystem& units);
+
 }  // namespace packbed::setup

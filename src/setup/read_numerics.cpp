@@ -40,8 +40,12 @@ OutputOptions read_output(Section section,
   if (output.frames) {
     output.frame_interval = section.quantity_or_word(
         "frame_interval", Dimension::time, bounds::positive, "stage ends", Fallback{"stage ends"});
+    output.analysis = section.boolean("analysis", true);
   } else {
-    section.refuse("frame_interval", "applies only to frames = true");
+    output.analysis = false;
+    for (const auto* key : {"frame_interval", "analysis"}) {
+      section.refuse(key, "applies only to frames = true");
+    }
   }
   output.checkpoint_interval = section.quantity_or_word(
       "checkpoint_interval", Dimension::time, bounds::positive, "none", Fallback{"10 min"});

@@ -53,6 +53,17 @@ TEST(Coordination, CountsWallsAsSupportOnly) {
   EXPECT_DOUBLE_EQ(c.mean_without_rattlers, 3.0);
 }
 
+// A ring of four beads, a fifth that hangs on the first: with friction the ring stands, and the fifth rattles.
+TEST(Coordination, TwoContactsHoldWithFriction) {
+  const std::vector<TouchingPair> pairs = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}};
+
+  EXPECT_EQ(coordination(pairs, 5).rattlers, 5);
+  const auto c = coordination(pairs, 5, holding_with_friction);
+  EXPECT_EQ(c.rattlers, 1);
+  EXPECT_DOUBLE_EQ(c.mean, 2.0);
+  EXPECT_DOUBLE_EQ(c.mean_without_rattlers, 2.0);
+}
+
 TEST(Coordination, OfNothingIsNothing) {
   const auto c = coordination({}, 3);
   EXPECT_EQ(c.mean, 0.0);

@@ -78,9 +78,9 @@ struct Beads {
 
 /// A contact within a box 1 m wide, one through its border, one with wall 2.
 const std::vector<ContactLine> contacts = {
-    {{0.1, 0, 0}, {0.2, 0, 0}, 4, 7, 1e-5, 2e-6, 3e-8},
-    {{0.95, 0, 0}, {1.05, 0, 0}, 7, 5, 2e-5, 0.0, 4e-8},
-    {{0.1, 0, 0}, {0.1, 0, -0.05}, 4, wall_id(2), -3e-5, 1e-6, 5e-8}};
+    {{0.1, 0, 0}, {0.2, 0, 0}, 4, 7, 1e-5, 2e-6, 3e-8, {0, 2e-6, 0}},
+    {{0.95, 0, 0}, {1.05, 0, 0}, 7, 5, 2e-5, 0.0, 4e-8, {}},
+    {{0.1, 0, 0}, {0.1, 0, -0.05}, 4, wall_id(2), -3e-5, 1e-6, 5e-8, {}}};
 
 TEST(Frames, BeadsAreReadByVtkAsTheyWereWritten) {
   const TemporaryFolder folder;
@@ -139,6 +139,7 @@ TEST(Frames, ContactsAreLinesOfTheirOwn) {
   const auto& data = found["cell_data"];
   EXPECT_EQ(data["normal_force_N"]["values"], json({1e-5, 2e-5, -3e-5}));
   EXPECT_EQ(data["tangential_force_N"]["values"], json({2e-6, 0.0, 1e-6}));
+  EXPECT_EQ(data["tangential_force_vector_N"]["values"][0], json({0.0, 2e-6, 0.0}));
   EXPECT_EQ(data["overlap_m"]["values"], json({3e-8, 4e-8, 5e-8}));
   EXPECT_EQ(data["id_i"]["values"], json({4, 7, 4}));
   EXPECT_EQ(data["id_j"]["values"], json({7, 5, -3}));

@@ -165,7 +165,8 @@ std::string random_case() {
           maybe("seed", "7") + maybe("force_step", "true") +
           maybe("overlap_limit", number(0.1, 0.6)) + maybe("background_damping", "\"20 ms\"");
   return text + "[output]\n" + maybe("interval", quantity(1, 50, {"ms"})) +
-         maybe("beads_csv", "true");
+         maybe("beads_csv", "true") +
+         *element<std::string>("", "analysis = false\n", "frames = false\n");
 }
 
 void expect_same(const Case& a, const Case& b) {
