@@ -193,6 +193,35 @@ TEST_F(Analyze, SaysOnOneLineWhatIsMissing) {
   }
 }
 
+// Frames of cycles are stages of their own; packing is over before them.
+TEST_F(Analyze, FollowsABedThroughPackingAndCycles) {
+  (void)folder_->file("dac.toml", bed.substr(0, bed.find("[[protocol]]\nstep = \"flow_ramp\"")) +
+                                      R"(
+[[protocol]]
+step = "compress"
+speed = "20 mm/s"
+compression = "5 %"
+[[protocol]]
+step = "cycle"
+high = "500 cm/h"
+low = "50 cm/h"
+count = 1
+high_duration = "10 ms"
+low_duration = "10 ms"
+)");
+  const auto run = packbed("run dac.toml -n 1 -o dac");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto rows = rows_of(path("dac/analysis/analysis.csv"));
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows.back().at("packing_end"), 2.0);
+  EXPECT_EQ(rows[1].at("S_init"), 0.0);
+  EXPECT_GT(rows[1].at("stress_top_Pa"), 100.0 * rows[0].at("stress_top_Pa"));
+  const auto csv = read_text_file(path("dac/analysis/analysis.csv"));
+  EXPECT_THAT(csv,
+              AllOf(HasSubstr(",compress,"), HasSubstr(",cycle high,"), HasSubstr(",cycle low,")));
+  EXPECT_THAT(read_text_file(path("dac/report.html")), HasSubstr("Plunger force"));
+}
+
 TEST_F(Analyze, IsLeftOutWhereTheCaseSaysSo) {
   (void)folder_->file("quick.toml", bed + "[output]\nanalysis = false\n");
 
