@@ -115,7 +115,10 @@ TEST_F(Analyze, WritesTablesOfEachFrame) {
   }
   EXPECT_TRUE(fs::exists(folder / "wall_velocity_000002.csv"));
   EXPECT_FALSE(fs::exists(folder / "wall_velocity_000001.csv"));  // no liquid yet
-  const auto moved = rows_of(folder / "rearrangement.csv");
+}
+
+TEST_F(Analyze, TellsWhatMovedFromFrameToFrame) {
+  const auto moved = rows_of(path("bed/analysis/rearrangement.csv"));
   ASSERT_EQ(moved.size(), 1U);
   EXPECT_EQ(moved[0].at("beads"), 80.0);
   EXPECT_GT(moved[0].at("non_affine_m"), 0.0);
