@@ -5,45 +5,12 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
 #include "report/plot.hpp"
+#include "report/words.hpp"
 
 namespace packbed::report {
 namespace {
-
-/// A value of the case file as text; empty if it is not there.
-std::string text(const Json& values, const char* pointer) {
-  const Json::json_pointer at(pointer);
-  if (!values.contains(at)) return {};
-  const auto& value = values.at(at);
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_number_float()) return fmt::format("{:g}", value.get<double>());
-  return value.dump();
-}
-
-std::string in_si(const std::string& words,
-                  Dimension dimension,
-                  const UnitSystem& units,
-                  std::string (*write)(double)) {
-  try {
-    return write(units.to_si(words, dimension));
-  } catch (const ValueError&) {
-    return words;  // a word such as "auto", or a flow rate where a velocity is looked for
-  }
-}
-
-std::string length(const std::string& words, const UnitSystem& units) {
-  return in_si(words, Dimension::length, units, [](double meters) {
-    return meters < 0.5e-3 ? fmt::format("{:.4g} um", per_um * meters)
-                           : fmt::format("{:.4g} mm", per_mm * meters);
-  });
-}
-
-std::string flow(const std::string& words, const UnitSystem& units) {
-  return in_si(words, Dimension::velocity, units,
-               [](double velocity) { return fmt::format("{:.4g} cm/h", per_cm_h * velocity); });
-}
 
 /// "; name value" for each pair whose value is there.
 std::string listed(std::initializer_list<std::pair<const char*, std::string>> pairs) {
@@ -137,63 +104,6 @@ std::string numerics_line(const RunData& run) {
   return line;
 }
 
-// --- steps of the protocol
-
-std::string settle_text(const Json& step, const UnitSystem& units) {
-  std::string words = "Settle";
-  if (step.contains("bed_height")) {
-    words += fmt::format(" to a bed of {}", length(text(step, "/bed_height"), units));
-  }
-  if (step.contains("porosity")) words += ", porosity " + text(step, "/porosity");
-  if (step.contains("friction")) words += ", friction while settling " + text(step, "/friction");
-  return words;
-}
-
-std::string ramp_text(const Json& step, const UnitSystem& units) {
-  const auto steps = step.value("steps", 1);
-  auto words = fmt::format("Flow from {} to {} in {} step{}, ", flow(text(step, "/from"), units),
-                           flow(text(step, "/to"), units), steps, steps == 1 ? "" : "s");
-  const auto hold = text(step, "/hold");
-  words += hold == "until steady"
-               ? fmt::format("each held until steady, {} at most", text(step, "/hold_limit"))
-               : fmt::format("each held {}", hold);
-  return words + (text(step, "/change") == "jump" ? ", changed at once" : "");
-}
-
-std::string compress_text(const Json& step, const UnitSystem& units) {
-  auto words = fmt::format("Plunger down at {}", text(step, "/speed"));
-  for (const auto* target : {"height", "compression", "compression_factor", "force"}) {
-    if (!step.contains(target)) continue;
-    auto value = text(step, fmt::format("/{}", target).c_str());
-    if (std::string_view(target) == "height") value = length(value, units);
-    words += fmt::format(" to a {} of {}", target, value);
-  }
-  return words;
-}
-
-std::string step_text(const Json& step, const UnitSystem& units) {
-  const auto kind = text(step, "/step");
-  if (kind == "settle") return settle_text(step, units);
-  if (kind == "flow_ramp") return ramp_text(step, units);
-  if (kind == "compress") return compress_text(step, units);
-  if (kind == "run") return fmt::format("Run for {}", text(step, "/duration"));
-  if (kind == "hold") {
-    return fmt::format("Hold for {}{}", text(step, "/duration"),
-                       step.contains("flow") ? " at " + flow(text(step, "/flow"), units) : "");
-  }
-  if (kind == "tap") {
-    const auto count = text(step, "/count");
-    return fmt::format("Tap {} time{}: {} at {}", count, count == "1" ? "" : "s",
-                       length(text(step, "/amplitude"), units), text(step, "/frequency"));
-  }
-  if (kind == "repeat") return fmt::format("Repeat {} times:", text(step, "/count"));
-  std::string words = kind;  // a step younger than this page
-  for (const auto& [key, value] : step.items()) {
-    if (key != "step") words += fmt::format(", {} {}", key, value.dump());
-  }
-  return words;
-}
-
 /// "/protocol/1/to" as check and resume call it: "protocol[2].to".
 std::string key_of(std::string_view pointer) {
   std::string key;
@@ -208,15 +118,6 @@ std::string key_of(std::string_view pointer) {
     }
   }
   return key;
-}
-
-std::vector<Sentence> sentences(const Json& steps, const UnitSystem& units) {
-  std::vector<Sentence> all;
-  for (const auto& step : steps) {
-    all.push_back({.text = step_text(step, units)});
-    if (step.value("step", "") == "repeat") all.back().parts = sentences(step.at("steps"), units);
-  }
-  return all;
 }
 
 }  // namespace
@@ -236,10 +137,6 @@ std::vector<CaseLine> case_lines(const RunData& run, const UnitSystem& units) {
     }
   }
   return lines;
-}
-
-std::vector<Sentence> protocol_sentences(const RunData& run, const UnitSystem& units) {
-  return sentences(run.values.value("protocol", Json::array()), units);
 }
 
 std::vector<Difference> differences(const std::vector<RunData>& runs) {

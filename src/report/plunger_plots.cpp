@@ -27,6 +27,9 @@ const AgainstCompression plots[] = {
 
 constexpr std::size_t row_limit = 1000;  ///< of a stage: more than a screen shows
 
+/// Compression by which a plunger that stands may differ: round-off of its place.
+constexpr double standing = 1e-6;
+
 /// Rows of a stage in which the plunger presses, from the lowest compression to the highest.
 struct Stroke {
   int stage = 0;
@@ -48,7 +51,12 @@ std::vector<Stroke> strokes(const Columns& series, const char* column) {
     all.back().rows.push_back(i);
   }
   std::erase_if(all, [&](const Stroke& s) {
-    return std::ranges::all_of(s.rows, [&](std::size_t i) { return value[i] == 0.0; });
+    const bool is_free =
+        std::ranges::all_of(s.rows, [&](std::size_t i) { return value[i] == 0.0; });
+    const bool stands = std::ranges::all_of(s.rows, [&](std::size_t i) {
+      return std::abs(compression[i] - compression[s.rows.front()]) < standing;
+    });
+    return is_free || stands;
   });
   for (auto& s : all) {
     s.rises = compression[s.rows.back()] >= compression[s.rows.front()];

@@ -115,7 +115,10 @@ TEST_F(Analyze, WritesTablesOfEachFrame) {
   }
   EXPECT_TRUE(fs::exists(folder / "wall_velocity_000002.csv"));
   EXPECT_FALSE(fs::exists(folder / "wall_velocity_000001.csv"));  // no liquid yet
-  const auto moved = rows_of(folder / "rearrangement.csv");
+}
+
+TEST_F(Analyze, TellsWhatMovedFromFrameToFrame) {
+  const auto moved = rows_of(path("bed/analysis/rearrangement.csv"));
   ASSERT_EQ(moved.size(), 1U);
   EXPECT_EQ(moved[0].at("beads"), 80.0);
   EXPECT_GT(moved[0].at("non_affine_m"), 0.0);
@@ -191,6 +194,35 @@ TEST_F(Analyze, SaysOnOneLineWhatIsMissing) {
     EXPECT_THAT(outcome.err, HasSubstr(message));
     EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
   }
+}
+
+// Frames of cycles are stages of their own; packing is over before them.
+TEST_F(Analyze, FollowsABedThroughPackingAndCycles) {
+  (void)folder_->file("dac.toml", bed.substr(0, bed.find("[[protocol]]\nstep = \"flow_ramp\"")) +
+                                      R"(
+[[protocol]]
+step = "compress"
+speed = "20 mm/s"
+compression = "5 %"
+[[protocol]]
+step = "cycle"
+high = "500 cm/h"
+low = "50 cm/h"
+count = 1
+high_duration = "10 ms"
+low_duration = "10 ms"
+)");
+  const auto run = packbed("run dac.toml -n 1 -o dac");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto rows = rows_of(path("dac/analysis/analysis.csv"));
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows.back().at("packing_end"), 2.0);
+  EXPECT_EQ(rows[1].at("S_init"), 0.0);
+  EXPECT_GT(rows[1].at("stress_top_Pa"), 100.0 * rows[0].at("stress_top_Pa"));
+  const auto csv = read_text_file(path("dac/analysis/analysis.csv"));
+  EXPECT_THAT(csv,
+              AllOf(HasSubstr(",compress,"), HasSubstr(",cycle high,"), HasSubstr(",cycle low,")));
+  EXPECT_THAT(read_text_file(path("dac/report.html")), HasSubstr("Plunger force"));
 }
 
 TEST_F(Analyze, IsLeftOutWhereTheCaseSaysSo) {

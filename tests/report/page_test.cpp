@@ -164,6 +164,34 @@ TEST(CaseWords, SpeakInLabUnits) {
   EXPECT_EQ(steps.at(1).parts.at(1).text, "Hold for 1 s at 360 cm/h");
 }
 
+TEST(CaseWords, TellHowABedIsPacked) {
+  const test::SmallRun small;
+  const UnitSystem units;
+  auto run = read_run(small.path(), units);
+  run.values["protocol"] = Json::parse(R"([
+    {"step": "compress", "speed": "20 mm/min", "pressure": "1 bar", "flow": "100 cm/h", "friction": 0.5},
+    {"step": "relax", "speed": "20 mm/min", "withdraw": true, "flow": "0 cm/h"},
+    {"step": "flow_pack", "flow": "2210 cm/h", "steps": 10, "hold": "until steady", "hold_limit": "5 s",
+     "compression": "20 %", "plunger_speed": "30 mm/min"},
+    {"step": "cycle", "count": 10, "high": "0.75 RHL", "low": "0.05 RHL", "high_duration": "2 s",
+     "low_duration": "until steady", "hold_limit": "5 s"},
+    {"step": "store", "hold_limit": "5 s"}])");
+
+  std::vector<std::string> texts;
+  for (const auto& s : protocol_sentences(run, units)) texts.push_back(s.text);
+
+  EXPECT_THAT(
+      texts,
+      testing::ElementsAre(
+          "Plunger down at 20 mm/min to a pressure of 1 bar, friction 0.5, in a flow of 100 cm/h",
+          "Plunger up at 20 mm/min, then out of the way",
+          "Pack in a flow of 2210 cm/h, reached in 10 steps, each held until steady, 5 s at most, "
+          "to a "
+          "compression of 20 %; then the plunger is set down at 30 mm/min",
+          "Cycle 10 times: 0.75 RHL for 2 s, 0.05 RHL until steady, 5 s at most",
+          "Store without a flow until steady, 5 s at most"));
+}
+
 TEST(CaseWords, TellWhatDiffers) {
   const UnitSystem units;
   const test::SmallRun a("a", "soft");
