@@ -86,7 +86,7 @@ Support support_of(const dem::Dem& dem, const dem::Snapshot& s) {
 RowFigures::Plunger plunger_of(const dem::Dem& dem, const dem::Snapshot& s) {
   for (std::size_t w = 0; w < s.wall_force.size(); ++w) {
     if (dem.walls()[w].name != "lid") continue;
-    return {.position = column::plunger_position(dem.walls()).value_or(0.0),
+    return {.position = column::plunger_position(dem.walls()).value_or(column::lid_away),
             .force = s.wall_force[w].z};
   }
   return {};
@@ -125,11 +125,11 @@ analysis::SectionReference section_reference_from(const Json& saved) {
 }
 
 Json to_json(const RowFigures& f) {
-  return {f.kinetic_to_elastic,     f.unbalanced_force,      f.max_overlap_ratio,
-          f.coordination_number,    f.budget_error,          f.bed.height,
-          f.bed.mean_porosity,      f.bed.middle_porosity,   f.settled_height,
-          f.settled_porosity,       f.highest_flow.velocity, f.highest_flow.pressure_drop,
-          f.highest_flow.bed_height, f.plunger.position,   f.plunger.force};
+  return {f.kinetic_to_elastic,      f.unbalanced_force,      f.max_overlap_ratio,
+          f.coordination_number,     f.budget_error,          f.bed.height,
+          f.bed.mean_porosity,       f.bed.middle_porosity,   f.settled_height,
+          f.settled_porosity,        f.highest_flow.velocity, f.highest_flow.pressure_drop,
+          f.highest_flow.bed_height, f.plunger.position,      f.plunger.force};
 }
 
 RowFigures row_figures_from(const Json& saved) {
@@ -179,7 +179,8 @@ void Outputs::row(const dem::Dem& dem, const column::CoupledBed* liquid, std::in
   }
   figures_.liquid = liquid != nullptr ? liquid->figures() : column::LiquidFigures{};
   const double velocity = figures_.liquid.superficial_velocity;
-  if (liquid != nullptr && std::abs(velocity) >= std::abs(figures_.highest_flow.velocity)) {
+  const bool is_pumped = liquid != nullptr && !figures_.liquid.plunger_moves;
+  if (is_pumped && std::abs(velocity) >= std::abs(figures_.highest_flow.velocity)) {
     figures_.highest_flow = {velocity, figures_.liquid.pressure_drop, figures_.bed.height};
   }
   figures_.plunger = plunger_of(dem, s);
@@ -213,9 +214,12 @@ void Outputs::row(const dem::Dem& dem, const column::CoupledBed* liquid, std::in
     if (has_plunger_) {
       const auto& p = figures_.plunger;
       const double h0 = figures_.settled_height;
-      const io::Cell share = h0 > 0.0 ? io::Cell(1.0 - p.position / h0) : io::Cell(std::string());
+      const io::Cell none{std::string()};
+      const bool is_there = p.position < column::lid_away;
+      const io::Cell position = is_there ? io::Cell(p.position) : none;
+      const io::Cell share = is_there && h0 > 0.0 ? io::Cell(1.0 - p.position / h0) : none;
       row.insert(row.end(),
-                 {p.position, share, p.force, p.force / mesh::cross_section(case_.column.shape)});
+                 {position, share, p.force, p.force / mesh::cross_section(case_.column.shape)});
     }
     row.insert(row.end(), {s.mean_overlap, s.max_overlap_ratio, s.coordination_number,
                            s.kinetic_energy, s.elastic_energy, figures_.kinetic_to_elastic,

@@ -12,6 +12,7 @@
 #include "app/simulate.hpp"
 #include "app/stages.hpp"
 #include "app/start_ranks.hpp"
+#include "column/plunger.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/ranks.hpp"
@@ -50,7 +51,7 @@ void add_results(nlohmann::ordered_json& summary, const RunSummary& r) {
     summary["pressure_drop_at_highest_flow_Pa"] = f.highest_flow.pressure_drop;
     summary["bed_height_at_highest_flow_m"] = f.highest_flow.bed_height;
   }
-  if (r.has_plunger) {
+  if (r.has_plunger && f.plunger.position < column::lid_away) {
     summary["plunger_position_m"] = f.plunger.position;
     summary["plunger_force_N"] = f.plunger.force;
   }

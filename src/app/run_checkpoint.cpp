@@ -54,7 +54,7 @@ std::string difference(const Json& saved, const Json& now) {
 
 /// Keys that a bed has from the run that made it.
 bool belongs_to_bed(std::string_view key) {
-  for (const auto* other : {"column.mesh.", "column.wall.", "column.frit."}) {
+  for (const auto* other : {"column.mesh.", "column.wall.", "column.frit.", "column.full_load"}) {
     if (key.starts_with(other)) return false;
   }
   return key.starts_with("column.") || key.starts_with("resin.sizes.") ||

@@ -134,6 +134,7 @@ LiquidFigures CoupledBed::figures() const {
   const double p_out = sums[3] > 0.0 ? sums[4] / sums[3] : 0.0;
   const double through = sums[0] > 0.0 ? 0.0 - sums[2] / sums[0] : 0.0;  // no "-0"
   return {.superficial_velocity = through - plunger_speed_,
+          .plunger_moves = plunger_speed_ != 0.0,
           .pressure_drop = p_in - p_out,
           .pressure_force = sums[1] - sums[4],
           .wall_shear = sums[6],

@@ -25,6 +25,7 @@ struct CoupledOptions {
 struct LiquidFigures {
   /// Downwards: through the inlet, and what a plunger that moves displaces [m/s].
   double superficial_velocity = 0.0;
+  bool plunger_moves = false;   ///< in the past interval
   double pressure_drop = 0.0;   ///< inlet less outlet, without the hydrostatic part [Pa]
   double pressure_force = 0.0;  ///< on the whole content, downwards: sum of p n over both ends [N]
   double wall_shear = 0.0;      ///< of the liquid on the walls, downwards [N]

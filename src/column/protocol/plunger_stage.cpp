@@ -27,6 +27,7 @@ constexpr double share_of_error = 0.1;        // of the force, that the servo cl
 constexpr double force_tolerance = 0.002;     // of the target
 constexpr double share_that_is_loose = 0.05;  // of the force that a bed is relieved from
 constexpr double share_that_is_free = 0.005;  // of the force that a bed is relieved from
+constexpr double least_slice = 1e-6;          // a shorter rest of a phase is none
 constexpr double rounding = 1e-9;
 
 /// Names and values of the state, in one place for both directions.
@@ -207,8 +208,9 @@ After PlungerStage::advance(dem::Dem& dem) {
   const double speed = wanted_speed(time, dem);
   const auto left = time_left(speed, dem);
   if (left) time = *left / std::max(1.0, std::ceil(*left / time - rounding));  // none is very short
-  if (time > 0.0) step(speed, time, dem);
-  end_phase_if_due(dem);
+  const bool is_there = left && *left <= least_slice * slice_time(dem);
+  if (!is_there) step(speed, time, dem);
+  end_phase_if_due(is_there, dem);
   if (phase() == PlungerPhase::done) {
     end(dem);
     return After::end;
@@ -217,44 +219,45 @@ After PlungerStage::advance(dem::Dem& dem) {
                                                                           : After::goes_on;
 }
 
-void PlungerStage::end_phase_if_due(dem::Dem& dem) {
+// `is_there`: nothing is left of the present phase.
+void PlungerStage::end_phase_if_due(bool is_there, dem::Dem& dem) {
   const double z = position(dem);
-  const auto reached = [&](double aim) { return std::abs(z - aim) <= rounding * aim; };
   const bool at_upper_end = z >= options_.column_height * (1.0 - rounding);
-  bool is_over = false;
+  const auto reached = [&](double aim) { return is_there || std::abs(z - aim) <= rounding * aim; };
   switch (phase()) {
     case PlungerPhase::approach:
       if (reached(state_.goal)) enter(PlungerPhase::move, dem);
       return;
     case PlungerPhase::move:
-      if (options_.target == PlungerTarget::height) {
-        is_over = reached(options_.value);
-      } else if (options_.speed > 0.0) {
-        is_over = state_.force >= options_.value * (1.0 - force_tolerance);
-      } else {
-        const double free = share_that_is_free * state_.force_at_start;
-        is_over = state_.force <= std::max(options_.value * (1.0 + force_tolerance), free) ||
-                  at_upper_end;
-      }
-      if (is_over) enter(PlungerPhase::hold, dem);
-      [[fallthrough]];
+      if (!has_reached_target(reached(options_.value), at_upper_end)) return;
+      enter(PlungerPhase::hold, dem);
+      if (options_.hold <= 0.0) leave_hold(dem);
+      return;
     case PlungerPhase::hold:
-      if (phase() != PlungerPhase::hold ||
-          dem.time() < state_.phase_start + options_.hold - rounding * dem.time()) {
-        return;
-      }
-      enter(options_.withdraws ? PlungerPhase::withdraw : PlungerPhase::done, dem);
-      if (options_.withdraws && liquid_ == nullptr) {
-        place_plunger(options_.column_height, dem);
-        enter(PlungerPhase::done, dem);
+      if (is_there || dem.time() >= state_.phase_start + options_.hold - rounding * dem.time()) {
+        leave_hold(dem);
       }
       return;
     case PlungerPhase::withdraw:
-      if (at_upper_end) enter(PlungerPhase::done, dem);
+      if (is_there || at_upper_end) enter(PlungerPhase::done, dem);
       return;
     case PlungerPhase::done:
       return;
   }
+}
+
+bool PlungerStage::has_reached_target(bool is_at_height, bool at_upper_end) const {
+  if (options_.target == PlungerTarget::height) return is_at_height;
+  if (options_.speed > 0.0) return state_.force >= options_.value * (1.0 - force_tolerance);
+  const double free = share_that_is_free * state_.force_at_start;
+  return at_upper_end || state_.force <= std::max(options_.value * (1.0 + force_tolerance), free);
+}
+
+void PlungerStage::leave_hold(dem::Dem& dem) {
+  enter(options_.withdraws ? PlungerPhase::withdraw : PlungerPhase::done, dem);
+  if (!options_.withdraws || liquid_ != nullptr) return;
+  place_plunger(options_.column_height, dem);
+  enter(PlungerPhase::done, dem);
 }
 
 void PlungerStage::end(dem::Dem& dem) {

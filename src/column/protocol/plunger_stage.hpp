@@ -88,7 +88,9 @@ class PlungerStage : public Stage {
   [[nodiscard]] std::optional<double> time_left(double speed, const dem::Dem& dem) const;
   [[nodiscard]] double slice_time(const dem::Dem& dem) const;
   void step(double speed, double time, dem::Dem& dem);
-  void end_phase_if_due(dem::Dem& dem);
+  void end_phase_if_due(bool is_there, dem::Dem& dem);
+  [[nodiscard]] bool has_reached_target(bool is_at_height, bool at_upper_end) const;
+  void leave_hold(dem::Dem& dem);
   void end(dem::Dem& dem);
   void set_flow(double plunger_speed);
 
