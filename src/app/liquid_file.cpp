@@ -46,6 +46,7 @@ void write_fluid_state(io::CheckpointWriter& writer, const fluid::FluidState& st
   writer.array("liquid/face_values", values, face_width);
   writer.number("liquid/time_s", share.time);
   writer.number("liquid/top_m", share.top);
+  writer.number("liquid/inlet_m_s", share.inlet);
   writer.number("liquid/per_decade", share.per_decade);
 }
 
@@ -55,6 +56,7 @@ fluid::FluidState read_fluid_state(const io::CheckpointReader& reader) {
   fluid::FluidState s;
   s.time = reader.number("liquid/time_s");
   s.top = reader.number("liquid/top_m");
+  s.inlet = reader.number("liquid/inlet_m_s");
   s.per_decade = reader.number("liquid/per_decade");
   const auto cells = reader.read<std::int64_t>("liquid/cell");
   const auto cell_values = reader.read<double>("liquid/cell_values");

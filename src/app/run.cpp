@@ -124,6 +124,23 @@ bool has_ended(const std::filesystem::path& folder) {
   return std::filesystem::exists(folder / "summary.json");
 }
 
+/// Whether a run was killed after its results were complete and before they were analyzed and shown.
+bool lacks_its_report(const std::filesystem::path& folder) {
+  return has_ended(folder) && !std::filesystem::exists(folder / "report.html");
+}
+
+int write_what_is_missing(const setup::Case& c,
+                          const std::filesystem::path& folder,
+                          const UnitSystem& units) {
+  if (!Ranks::all().is_first()) return 0;
+  const FolderLock lock(folder);
+  write_measured(c, folder);
+  analyze_frames_of(c, folder, units);
+  fmt::print("This run had ended without its report.\nReport: {}\n",
+             write_report(folder, units).string());
+  return 0;
+}
+
 void prepare_folder(const RunCommand& command,
                     const setup::Case& c,
                     const std::filesystem::path& folder) {
@@ -148,6 +165,9 @@ int run(const RunCommand& command) {
   const std::filesystem::path folder =
       command.directory.empty() ? c.output.directory : command.directory;
   const bool carried_out = can_simulate(c);
+  if (command.resume && carried_out && lacks_its_report(folder)) {
+    return write_what_is_missing(c, folder, units);
+  }
   if (carried_out && !MpiSession::is_started()) {
     const int ranks = command.ranks > 0 ? command.ranks : useful_ranks(f.bead_count);
     if (ranks > 1) {

@@ -42,6 +42,9 @@ FluidState Fluid::save() const {
   FluidState state;
   state.time = time_;
   state.top = domain_.mesh.top();
+  if (const auto* in = std::get_if<Inlet>(&options_.boundaries.inlet)) {
+    state.inlet = in->superficial.at(time_);
+  }
   const auto& solver = pressure_solver_.state();
   state.per_decade = solver.per_decade;
   for (std::size_t c = 0; c < domain_.own(); ++c) {
@@ -72,6 +75,9 @@ void Fluid::load(const FluidState& state) {
   domain_.move_top(state.top, 1.0);
   std::ranges::fill(mesh_speed_, 0.0);
   time_ = state.time;
+  if (auto* in = std::get_if<Inlet>(&options_.boundaries.inlet)) {
+    in->superficial = FlowProgram::steady(state.inlet);
+  }
   for (std::size_t c = 0; c < domain_.cells(); ++c) {
     const auto& r = cells.at(domain_.part.cell[c]);
     eps_[c] = r.eps;
@@ -134,10 +140,12 @@ void Fluid::repartition(const mesh::CellPartition& before, const mesh::CellParti
     const auto owner = before.owner(domain.part.cell[domain.owner(f)]);
     want_faces[static_cast<std::size_t>(owner)].push_back(domain.face_number(f));
   }
-  FluidState state{.time = old.time, .top = old.top, .per_decade = old.per_decade};
+  FluidState state{
+      .time = old.time, .top = old.top, .inlet = old.inlet, .per_decade = old.per_decade};
   state.cells = fetch(want_cells, cells, ranks);
   state.faces = fetch(want_faces, faces, ranks);
   renewed.load(state);
+  renewed.options_ = options_;  // with the program of the inlet
   *this = std::move(renewed);
 }
 

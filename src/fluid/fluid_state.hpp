@@ -34,6 +34,7 @@ struct FaceRecord {
 struct FluidState {
   double time = 0.0;        ///< [s]
   double top = 0.0;         ///< z of the upper end of the mesh [m]
+  double inlet = 0.0;       ///< superficial velocity there [m/s]
   double per_decade = 0.0;  ///< iterations per decade of the preconditioner when it was new
   std::vector<CellRecord> cells{};
   std::vector<FaceRecord> faces{};

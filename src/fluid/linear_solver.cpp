@@ -72,39 +72,49 @@ struct LinearSolver::Petsc {
   std::size_t own = 0;
   std::size_t inner = 0;
   std::vector<std::pair<bool, bool>> own_sides;  ///< per inner face: owner, neighbor
+  Pattern entries;
   std::vector<double> values;
   bool built = false;
+  bool has_served = false;  ///< the matrix, for a preconditioner
 
-  ~Petsc() {
-    KSPDestroy(&solver);
-    VecDestroy(&x);
-    VecDestroy(&b);
-    VecDestroy(&r);
-    MatDestroy(&matrix);
-  }
+  ~Petsc() { destroy(); }
 
-  void make_matrix(const Domain& domain);
+  void destroy();
+  void take_pattern(const Domain& domain);
+  void make_matrix();
   void make_solver(bool plain);
   [[nodiscard]] double rounding_floor() const;
   PetscErrorCode solve_once(double target, int most, Attempt& all);
   Attempt attempt(std::span<const double> rhs, std::span<double> guess, double target, int most);
 };
 
-void LinearSolver::Petsc::make_matrix(const Domain& domain) {
+void LinearSolver::Petsc::destroy() {
+  KSPDestroy(&solver);
+  VecDestroy(&x);
+  VecDestroy(&b);
+  VecDestroy(&r);
+  MatDestroy(&matrix);
+}
+
+void LinearSolver::Petsc::take_pattern(const Domain& domain) {
   own = domain.own();
   inner = domain.inner();
   for (std::size_t f = 0; f < inner; ++f) {
     own_sides.emplace_back(domain.is_own(domain.owner(f)), domain.is_own(domain.neighbor(f)));
   }
   comm = domain.ranks.size() > 1 ? PETSC_COMM_WORLD : PETSC_COMM_SELF;
+  entries = pattern(domain);
+  values.resize(entries.rows.size());
+}
+
+void LinearSolver::Petsc::make_matrix() {
   const auto rows = static_cast<PetscInt>(own);
   check(MatCreate(comm, &matrix));
   check(MatSetSizes(matrix, rows, rows, PETSC_DETERMINE, PETSC_DETERMINE));
   check(MatSetType(matrix, MATAIJ));
-  auto entries = pattern(domain);
-  values.resize(entries.rows.size());
-  check(MatSetPreallocationCOO(matrix, static_cast<PetscCount>(entries.rows.size()),
-                               entries.rows.data(), entries.columns.data()));
+  auto taken = entries;  // PETSc writes into what it is given
+  check(MatSetPreallocationCOO(matrix, static_cast<PetscCount>(taken.rows.size()),
+                               taken.rows.data(), taken.columns.data()));
   if (method == Method::multigrid) check(MatSetOption(matrix, MAT_SPD, PETSC_TRUE));
   if (constants) {
     MatNullSpace space = nullptr;
@@ -200,7 +210,8 @@ LinearSolver::LinearSolver(const Domain& domain, Method method, bool constants) 
   petsc_ = std::make_unique<Petsc>();
   petsc_->method = method;
   petsc_->constants = constants;
-  petsc_->make_matrix(domain);
+  petsc_->take_pattern(domain);
+  petsc_->make_matrix();
 }
 
 LinearSolver::~LinearSolver() = default;
@@ -222,7 +233,14 @@ void LinearSolver::set_matrix(const FaceMatrix& matrix) {
 // How PETSc makes the coarse matrices of the multigrid on several ranks: by default it adds what comes from other
 // ranks in the order of arrival, and so gives other bits from run to run on three ranks and more. On one rank
 // it knows no such choice, and refuses the option.
+// It is made from a new matrix, too: what a multigrid comes to depends on whether its matrix has served before, and a
+// run that is resumed must go on with the same bits.
 void LinearSolver::build_preconditioner() {
+  if (std::exchange(petsc_->has_served, true) && petsc_->method == Method::multigrid) {
+    petsc_->destroy();
+    petsc_->make_matrix();
+    check(MatSetValuesCOO(petsc_->matrix, petsc_->values.data(), INSERT_VALUES));
+  }
   petsc_->make_solver(false);
   const bool shared = petsc_->comm != PETSC_COMM_SELF;
   if (shared) check(PetscOptionsSetValue(nullptr, "-matptap_via", "allatonce"));

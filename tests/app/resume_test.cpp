@@ -82,6 +82,48 @@ checkpoint_interval = "20 ms"
 frame_interval = "40 ms"
 )";
 
+/// The same grains, packed by a flow and the plunger, loaded, and released.
+constexpr const char* packed_bed = R"(
+title = "A small bed that is packed"
+[column]
+shape = "slice"
+inner_diameter = "1.2 mm"
+slice_depth = "0.5 mm"
+height = "4 mm"
+[resin]
+name = "CM Sepharose 6FF"
+youngs_modulus = "3 MPa"
+coarse_grain = 3
+[liquid]
+[beads]
+count = 60
+[[protocol]]
+step = "settle"
+[[protocol]]
+step = "flow_pack"
+flow = "600 cm/h"
+steps = 2
+hold = "40 ms"
+compression = "3 %"
+plunger_speed = "5 mm/s"
+[[protocol]]
+step = "compress"
+speed = "5 mm/s"
+further_compression = "4 %"
+[[protocol]]
+step = "cycle"
+count = 2
+high_duration = "40 ms"
+low_duration = "40 ms"
+[[protocol]]
+step = "relax"
+speed = "5 mm/s"
+withdraw = true
+[output]
+interval = "5 ms"
+checkpoint_interval = "20 ms"
+)";
+
 /// Every file of a run but those that tell of wall time.
 std::map<std::string, std::string> results(const fs::path& folder) {
   std::map<std::string, std::string> files;
@@ -171,12 +213,12 @@ class Resume : public testing::Test {
 
 TEST_F(Resume, AfterBeingKilledAtRandomInstantsGivesTheSameFiles) {
   std::string how = "--overwrite -n 1";
-  for (std::uint64_t kill = 0; kill < 4 && !fs::exists(in("killed") / "summary.json"); ++kill) {
+  for (std::uint64_t kill = 0; kill < 4 && !fs::exists(in("killed") / "report.html"); ++kill) {
     const double share = 0.1 + 0.5 * uniform(41, Stream::bead_position, kill);
     (void)killed("killed", share * seconds_, how);
     if (has_checkpoint("killed")) how = "--resume -n 1";
   }
-  if (!fs::exists(in("killed") / "summary.json")) {
+  if (!fs::exists(in("killed") / "report.html")) {
     const auto last = run("killed", how);
     ASSERT_EQ(last.code, 0) << last.err;
   }
@@ -212,18 +254,52 @@ nlohmann::json frames_in(const fs::path& list) {
 TEST_F(ResumeInAFlow, AfterBeingKilledGivesTheSameFiles) {
   std::string how = "--overwrite -n 1";
   int resumed = 0;
-  for (int kill = 0; kill < 5 && !fs::exists(in("killed") / "summary.json"); ++kill) {
+  for (int kill = 0; kill < 5 && !fs::exists(in("killed") / "report.html"); ++kill) {
     (void)killed("killed", (kill == 0 ? 0.8 : 0.3) * seconds_, how);
     if (!has_checkpoint("killed")) continue;
     how = "--resume -n 1";
     ++resumed;
   }
-  if (!fs::exists(in("killed") / "summary.json")) {
+  if (!fs::exists(in("killed") / "report.html")) {
     const auto last = run("killed", how);
     ASSERT_EQ(last.code, 0) << last.err;
   }
   EXPECT_GT(resumed, 0);
   expect_same(in("whole"), in("killed"));
+}
+
+class ResumeWhilePacked : public Resume {
+ protected:
+  ResumeWhilePacked() : Resume(packed_bed) {}
+};
+
+TEST_F(ResumeWhilePacked, AfterBeingKilledGivesTheSameFiles) {
+  std::string how = "--overwrite -n 1";
+  int resumed = 0;
+  for (int kill = 0; kill < 6 && !fs::exists(in("killed") / "report.html"); ++kill) {
+    (void)killed("killed", (kill == 0 ? 0.6 : 0.25) * seconds_, how);
+    if (!has_checkpoint("killed")) continue;
+    how = "--resume -n 1";
+    ++resumed;
+  }
+  if (!fs::exists(in("killed") / "report.html")) {
+    const auto last = run("killed", how);
+    ASSERT_EQ(last.code, 0) << last.err;
+  }
+  EXPECT_GT(resumed, 0);
+  expect_same(in("whole"), in("killed"));
+}
+
+TEST_F(ResumeWhilePacked, TellsWhatThePlungerDid) {
+  const auto log = text_of(in("whole") / "run.log");
+  for (const auto* words :
+       {"stage 3: flow_pack, plunger at", "(compression 0.0300)", "stage 5: compress, plunger at",
+        "(compression 0.0700)", "stage 6: cycle high, 450 cm/h", "stage 9: cycle low, 30 cm/h",
+        "stage 10: relax, plunger at 4.0000 mm"}) {
+    EXPECT_THAT(log, HasSubstr(words));
+  }
+  const auto header = text_of(in("whole") / "series.csv");
+  EXPECT_THAT(header, HasSubstr("plunger_position_m,plunger_compression,plunger_force_N"));
 }
 
 TEST_F(ResumeInAFlow, TakesAwayWhatIsLaterThanTheCheckpoint) {
@@ -307,7 +383,7 @@ TEST_F(Resume, AfterASignalItTellsHowToGoOn) {
 TEST_F(Resume, OnTwoRanksAfterAnInterrupt) {
   const auto first = stopped("two", "INT", "-n 2");
   ASSERT_EQ(first.code, 4) << first.err;
-  ASSERT_EQ(run("two", "--resume -n 1").code, 0);  // and on another number of ranks
+  ASSERT_EQ(run("two", "--resume -n 1").code, 0);        // and on another number of ranks
   expect_same(in("whole"), in("two"), {"checkpoints"});  // they count new shares
 }
 

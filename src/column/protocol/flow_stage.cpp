@@ -16,6 +16,7 @@ constexpr double look_every = 0.1;         // between looks at how steady a plat
 constexpr double looks_per_plateau = 0.2;  // or this share of a short plateau
 constexpr double usual_ramp = 0.1;         // to a plateau that is held until steady [s]
 constexpr double ramp_share = 0.25;        // of a plateau that is held for a time
+constexpr double least_drop = 1.0;         // a smaller one is none [Pa]
 constexpr double cm_h = 0.01 / 3600.0;
 constexpr double rounding = 1e-9;
 
@@ -164,9 +165,10 @@ bool FlowStage::looks_steady(const dem::Dem& dem) {
   const double height = look_at_bed(dem, options_.area).height;
   const double drop = liquid_.figures().pressure_drop;
   const bool had_look = state_.height > 0.0;
-  const bool is_steady =
-      had_look && std::abs(height - state_.height) < steady_height_rate * time * height &&
-      std::abs(drop - state_.pressure_drop) <= steady_rate * time * std::abs(drop);
+  const bool is_steady = had_look &&
+                         std::abs(height - state_.height) < steady_height_rate * time * height &&
+                         std::abs(drop - state_.pressure_drop) <=
+                             steady_rate * time * std::max(std::abs(drop), least_drop);
   state_.height = height;
   state_.pressure_drop = drop;
   state_.window_started = liquid_.time();
