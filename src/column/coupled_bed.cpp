@@ -105,6 +105,7 @@ void CoupledBed::load(const fluid::FluidState& state, const dem::Dem& dem) {
   assert(state.top == mesh_.top());
   share_like(dem);
   fluid_.load(state);
+  fluid_.set_inlet(fluid::FlowProgram::steady(state.inlet));  // until a stage says more
   coupling_->set_velocity(fields().u);
 }
 

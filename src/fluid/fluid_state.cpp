@@ -75,9 +75,6 @@ void Fluid::load(const FluidState& state) {
   domain_.move_top(state.top, 1.0);
   std::ranges::fill(mesh_speed_, 0.0);
   time_ = state.time;
-  if (auto* in = std::get_if<Inlet>(&options_.boundaries.inlet)) {
-    in->superficial = FlowProgram::steady(state.inlet);
-  }
   for (std::size_t c = 0; c < domain_.cells(); ++c) {
     const auto& r = cells.at(domain_.part.cell[c]);
     eps_[c] = r.eps;
@@ -145,7 +142,6 @@ void Fluid::repartition(const mesh::CellPartition& before, const mesh::CellParti
   state.cells = fetch(want_cells, cells, ranks);
   state.faces = fetch(want_faces, faces, ranks);
   renewed.load(state);
-  renewed.options_ = options_;  // with the program of the inlet
   *this = std::move(renewed);
 }
 
