@@ -46,6 +46,17 @@ std::vector<Branch> branches(std::span<const Plateau> plateaus) {
   return all;
 }
 
+std::vector<Branch> shown_branches(std::span<const Plateau> plateaus) {
+  constexpr std::ptrdiff_t limit = 6;
+  constexpr std::ptrdiff_t last = 2;
+  auto all = branches(plateaus);
+  const auto excess = std::ssize(all) - limit;
+  if (excess <= 0) return all;
+  const auto first_left_out = all.end() - last - excess;
+  all.erase(first_left_out, first_left_out + excess);
+  return all;
+}
+
 std::string stage_label(const RunData& run, int stage) {
   const auto place = static_cast<std::size_t>(stage - 1);
   const bool has_name = stage > 0 && place < run.stages.size();

@@ -33,7 +33,7 @@ const Against against_velocity[] = {
 
 void add_simulated(Plot& plot, const Against& a, std::span<const RunData> runs, std::size_t r) {
   const auto& plateaus = runs[r].plateaus;
-  for (const auto& branch : branches(plateaus)) {
+  for (const auto& branch : shown_branches(plateaus)) {
     Curve curve{.label = curve_label(runs, r, branch.name), .x = {}, .y = {}};
     curve.draw = branch.rises ? Draw::line_with_points : Draw::dashed_with_points;
     curve.color = static_cast<int>(r);

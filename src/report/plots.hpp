@@ -47,6 +47,8 @@ struct Branch {
   std::vector<std::size_t> plateaus;  ///< their places in RunData::plateaus
 };
 std::vector<Branch> branches(std::span<const Plateau> plateaus);
+/// Those that a plot shows: all up to six, else the first four and the last two.
+std::vector<Branch> shown_branches(std::span<const Plateau> plateaus);
 
 /// What a curve is called: `what`, with the run in front where there are several.
 std::string curve_label(std::span<const RunData> runs, std::size_t run, const std::string& what);

@@ -85,7 +85,7 @@ Plot each_section(const RunData& run, const std::vector<Row>& rows) {
             .curves = {}};
   const auto sections = rows.front().compression.size();
   for (std::size_t k = 0; k < sections; ++k) {
-    for (const auto& branch : branches(run.plateaus)) {
+    for (const auto& branch : shown_branches(run.plateaus)) {
       Curve curve{.label = fmt::format("{}{} {}", k + 1, k == 0 ? " (top)" : "", branch.name),
                   .x = {},
                   .y = {}};

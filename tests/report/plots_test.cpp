@@ -59,6 +59,13 @@ TEST(Branches, OfOneOrNoPlateauAreOneOrNone) {
   EXPECT_EQ(branches(plateaus_at({1})).size(), 1U);
   EXPECT_EQ(branches(plateaus_at({1, 1})).size(), 1U);
   EXPECT_THAT(branches({}), IsEmpty());
+  EXPECT_THAT(shown_branches({}), IsEmpty());
+  EXPECT_EQ(shown_branches(plateaus_at({1, 2, 1, 2})).size(), 3U);
+  const auto some = shown_branches(plateaus_at({1, 9, 1, 9, 1, 9, 1, 9, 1, 9}));  // nine branches
+  ASSERT_EQ(some.size(), 6U);
+  EXPECT_EQ(some[3].name, "down 2");
+  EXPECT_EQ(some[4].name, "down 4");
+  EXPECT_EQ(some[5].name, "up 5");
 }
 
 TEST(Spread, TakesTheLastOne) {
