@@ -96,6 +96,33 @@ Tap read_tap(Section& section, Context& context) {
   return tap;
 }
 
+/// How long a flow stays: a time, or until the bed is steady.
+struct Holds {
+  std::optional<double> first;
+  std::optional<double> second;
+  double limit = 0.0;
+};
+
+Holds read_holds(Section& section, std::string_view first, std::string_view second) {
+  const auto read = [&](std::string_view key) {
+    return section.quantity_or_word(key, Dimension::time, bounds::positive, "until steady",
+                                    Fallback{"until steady"});
+  };
+  Holds holds;
+  holds.first = read(first);
+  holds.second = second.empty() ? holds.first : read(second);
+  if (holds.first && holds.second) {
+    section.refuse("hold_limit", second.empty()
+                                     ? "applies only to hold = \"until steady\""
+                                     : "applies only to a flow that is held \"until steady\"");
+    holds.limit = std::max(*holds.first, *holds.second);
+  } else {
+    holds.limit =
+        section.quantity("hold_limit", Dimension::time, bounds::positive, Fallback{"5 s"});
+  }
+  return holds;
+}
+
 FlowRamp read_flow_ramp(Section& section, Context& context) {
   FlowRamp ramp{};
   section.mention({"from", "to", "steps", "hold", "hold_limit", "change"});
@@ -104,15 +131,9 @@ FlowRamp read_flow_ramp(Section& section, Context& context) {
   ramp.from = section.flow("from", area, Fallback{"0 cm/h"});
   ramp.to = section.flow("to", area);
   ramp.steps = section.integer("steps", 1, Fallback{"1"});
-  ramp.hold = section.quantity_or_word("hold", Dimension::time, bounds::positive, "until steady",
-                                       Fallback{"until steady"});
-  if (ramp.hold) {
-    section.refuse("hold_limit", "applies only to hold = \"until steady\"");
-    ramp.hold_limit = *ramp.hold;
-  } else {
-    ramp.hold_limit =
-        section.quantity("hold_limit", Dimension::time, bounds::positive, Fallback{"5 s"});
-  }
+  const auto holds = read_holds(section, "hold", "");
+  ramp.hold = holds.first;
+  ramp.hold_limit = holds.limit;
   ramp.change =
       static_cast<FlowChange>(section.choice("change", {"jump", "ramp"}, Fallback{"ramp"}));
   return ramp;
@@ -206,31 +227,6 @@ Relax read_relax(Section& section, Context& context) {
   read_goal(section, context, true, move);
   read_rest_of_move(section, context, move);
   return {.move = move, .withdraw = section.boolean("withdraw", false)};
-}
-
-/// How long a flow stays: a time, or until the bed is steady.
-struct Holds {
-  std::optional<double> first;
-  std::optional<double> second;
-  double limit = 0.0;
-};
-
-Holds read_holds(Section& section, std::string_view first, std::string_view second) {
-  const auto read = [&](std::string_view key) {
-    return section.quantity_or_word(key, Dimension::time, bounds::positive, "until steady",
-                                    Fallback{"until steady"});
-  };
-  Holds holds;
-  holds.first = read(first);
-  holds.second = second.empty() ? holds.first : read(second);
-  if (holds.first && holds.second) {
-    section.refuse("hold_limit", "applies only to a flow that is held \"until steady\"");
-    holds.limit = std::max(*holds.first, *holds.second);
-  } else {
-    holds.limit =
-        section.quantity("hold_limit", Dimension::time, bounds::positive, Fallback{"5 s"});
-  }
-  return holds;
 }
 
 FlowPack read_flow_pack(Section& section, Context& context) {

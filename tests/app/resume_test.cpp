@@ -22,7 +22,7 @@ using test::run_packbed;
 using test::run_shell;
 using testing::HasSubstr;
 
-constexpr const char* small_bed = R"(
+const std::string small_bed = R"(
 title = "A small bed"
 [column]
 shape = "slice"
@@ -52,9 +52,8 @@ frame_interval = "20 ms"
 beads_csv = true
 )";
 
-/// 60 grains that settle, in a flow that goes up in three plateaus and is then held.
-constexpr const char* bed_in_a_flow = R"(
-title = "A small bed in a flow"
+/// 60 grains that settle.
+const std::string small_column = R"(
 [column]
 shape = "slice"
 inner_diameter = "1.2 mm"
@@ -69,6 +68,10 @@ coarse_grain = 3
 count = 60
 [[protocol]]
 step = "settle"
+)";
+
+/// They in a flow that goes up in three plateaus and is then held.
+const std::string bed_in_a_flow = small_column + R"(
 [[protocol]]
 step = "flow_ramp"
 to = "600 cm/h"
@@ -83,22 +86,7 @@ frame_interval = "40 ms"
 )";
 
 /// The same grains, packed by a flow and the plunger, loaded, and released.
-constexpr const char* packed_bed = R"(
-title = "A small bed that is packed"
-[column]
-shape = "slice"
-inner_diameter = "1.2 mm"
-slice_depth = "0.5 mm"
-height = "4 mm"
-[resin]
-name = "CM Sepharose 6FF"
-youngs_modulus = "3 MPa"
-coarse_grain = 3
-[liquid]
-[beads]
-count = 60
-[[protocol]]
-step = "settle"
+const std::string packed_bed = small_column + R"(
 [[protocol]]
 step = "flow_pack"
 flow = "600 cm/h"
@@ -158,7 +146,7 @@ void expect_same(const fs::path& a, const fs::path& b, const std::set<std::strin
 
 class Resume : public testing::Test {
  protected:
-  explicit Resume(const char* text = small_bed) : text_(text) {}
+  explicit Resume(std::string text = small_bed) : text_(std::move(text)) {}
 
   void SetUp() override {
     case_ = folder_.file("bed.toml", text_);
@@ -205,7 +193,7 @@ class Resume : public testing::Test {
                                [](const auto& entry) { return entry.path().extension() == ".h5"; });
   }
 
-  const char* text_;
+  std::string text_;
   test::TemporaryFolder folder_;
   fs::path case_;
   double seconds_ = 0.0;

@@ -13,6 +13,12 @@
 
 namespace packbed::column {
 
+/// The rule for the time between exchanges of beads and liquid: at most this, and shares of the time in which
+/// the bed consolidates and of a plateau.
+inline constexpr double longest_interval = 5e-3;  // [s]
+inline constexpr double interval_of_consolidation = 0.25;
+inline constexpr double interval_of_plateau = 0.05;
+
 /// What the rules ask for besides the bed itself.
 struct GrainProperties {
   double viscosity = 0.0;      ///< of the liquid; 0: dry [Pa s]

@@ -79,12 +79,6 @@ class FlowStage : public Stage {
   std::optional<Plateau> finished_;  ///< with the last slice
 };
 
-/// The rule for the time between exchanges of beads and liquid: at most this, and shares of the time in which
-/// the bed consolidates and of a plateau.
-inline constexpr double longest_interval = 5e-3;  // [s]
-inline constexpr double interval_of_consolidation = 0.25;
-inline constexpr double interval_of_plateau = 0.05;
-
 /// Relative change per second of pressure drop, and of bed height, below which a plateau counts as steady.
 inline constexpr double steady_rate = 0.02;
 inline constexpr double steady_height_rate = 0.0005;

@@ -15,9 +15,7 @@
 namespace packbed::column {
 namespace {
 
-constexpr double approach_speed = 0.05;    // through free liquid [m/s]
-constexpr double longest_interval = 5e-3;  // between exchanges with a liquid [s]
-constexpr double interval_of_consolidation = 0.25;
+constexpr double approach_speed = 0.05;  // through free liquid [m/s]
 constexpr double least_strain = 0.01;    // elastic strain from which on a bed counts as static
 constexpr double change_of_scale = 1.5;  // before it is worth it
 constexpr std::int64_t slices_per_choice = 20;  // of the inertia scale
