@@ -225,6 +225,34 @@ TEST(FlowStage, GoesThroughItsPlateausAndTellsWhichWereNotSteady) {
   EXPECT_NE(stage.result(dem).find("600 cm/h"), std::string::npos) << stage.result(dem);
 }
 
+// Exchanges that are asked for every 0.1 s come so often that the liquid passes at most a cell in between, also in the
+// first interval after a jump of the flow.
+TEST(FlowStage, KeepsTheCourantNumberAtItsLimit) {
+  auto dem = bed_at_rest(1.0);
+  auto bed = liquid();
+  FlowOptions o;
+  o.to = 1000 * cm_h;
+  o.steps = 2;
+  o.hold = 0.3;
+  o.ramps = false;
+  o.interval = 1.0;
+  o.area = area;
+  o.coupling_interval = 0.1;
+  o.inertia_scale = 100.0;
+  o.stepping = {.longest_step = 1.0, .fixed_step = {}};
+  FlowStage stage(o, bed);
+  stage.begin(dem);
+  double largest = 0.0;
+  int intervals = 0;
+  for (auto after = After::goes_on; after != After::end; ++intervals) {
+    after = stage.advance(dem);
+    largest = std::max(largest, bed.figures().courant);
+  }
+  EXPECT_GT(intervals, 6);
+  EXPECT_LT(largest, 1.02 * largest_courant);
+  EXPECT_GT(largest, 0.6 * largest_courant);
+}
+
 // A stage that is saved within a plateau tells the same of it as one that was not interrupted.
 TEST(FlowStage, GoesOnWithinAPlateauWithTheSameNoise) {
   auto dem = bed_at_rest(1.0);
