@@ -41,9 +41,11 @@ dem::Dem bed_at_rest(double inertia_scale) {
   return dem;
 }
 
-CoupledBed liquid(coupling::Scheme scheme = coupling::Scheme::frozen_flux) {
+CoupledBed liquid(coupling::Scheme scheme = coupling::Scheme::frozen_flux,
+                  const fluid::Wall& wall = {}) {
   const mesh::ColumnMesh mesh(slice, mesh::cell_counts(slice, {}));
   CoupledOptions o;
+  o.fluid.boundaries.x_low = o.fluid.boundaries.x_high = wall;
   o.coupling.scheme = scheme;
   o.coupling.widths = {.reach = 0.75e-3, .reach_z = 0.75e-3};
   return {mesh, slice, o, Ranks::alone()};
@@ -121,6 +123,31 @@ TEST(CoupledBed, HasThePressureDropOfItsLayers) {
             mesh.level(static_cast<std::int32_t>(high) + 1) + 0.75e-3);
   // Some 100 beads: their <d> / <d^3> is that of all within 3 %.
   EXPECT_NEAR((mean(high, p) - mean(low, p)) / expected, 1.0, 0.04);
+}
+
+// Thesis table B.3. Beads resist so much more than walls do that the liquid moves on nearly as it did; where there is a
+// bed, here of a void fraction of 0.50 at the wall, the wall takes nearly twice the shear.
+TEST(CoupledBed, BearsMoreShearAtWallsOfVoidFractionOne) {
+  std::array<LiquidFigures, 2> figures;
+  std::array<double, 2> at_wall{};  // mean velocity in the cells at a wall, inside the bed
+  for (const bool open : {false, true}) {
+    auto dem = bed_at_rest(100.0);
+    auto bed = liquid(coupling::Scheme::frozen_flux,
+                      {.velocity = {}, .void_fraction = open ? std::optional(1.0) : std::nullopt});
+    bed.start(dem);
+    bed.set_flow(fluid::FlowProgram::steady(100 * cm_h));
+    run(bed, dem, 0.2, 2e-3);
+    figures[open ? 1 : 0] = bed.figures();
+    const auto cells = static_cast<std::size_t>(bed.fluid().domain().mesh.cells_per_layer());
+    for (std::size_t layer = 3; layer <= 6; ++layer) {
+      ASSERT_LT(bed.fluid().domain().part.center[layer * cells].x, -0.8e-3);
+      at_wall[open ? 1 : 0] += 0.25 * bed.fluid().u()[layer * cells].z;
+    }
+  }
+  EXPECT_NEAR(at_wall[1] / at_wall[0], 0.997, 0.001);
+  EXPECT_NEAR(figures[1].pressure_drop / figures[0].pressure_drop, 1.004, 0.002);
+  // Free liquid above the bed, whose walls are of 1 anyway, has its share.
+  EXPECT_NEAR(figures[1].wall_shear / figures[0].wall_shear, 1.79, 0.1);
 }
 
 struct Noise {
