@@ -34,8 +34,8 @@ std::vector<std::string> columns(const dem::Dem& dem,
   std::vector<std::string> names = {"time_s", "step", "stage"};
   if (has_liquid) {
     names.insert(names.end(),
-                 {"superficial_velocity_m_s", "pressure_drop_Pa", "liquid_wall_shear_N",
-                  "continuity_error", "courant", "largest_solid_fraction"});
+                 {"superficial_velocity_m_s", "pressure_drop_Pa", "frit_pressure_drop_Pa",
+                  "liquid_wall_shear_N", "continuity_error", "courant", "largest_solid_fraction"});
   }
   if (has_bed) {
     names.insert(names.end(), {"bed_height_m", "compression", "mean_porosity", "middle_porosity",
@@ -201,8 +201,9 @@ void Outputs::row(const dem::Dem& dem, const column::CoupledBed* liquid, std::in
     std::vector<io::Cell> row = {s.time, dem.steps(), stage};
     if (has_liquid_) {
       const auto& l = figures_.liquid;
-      row.insert(row.end(), {l.superficial_velocity, l.pressure_drop, l.wall_shear,
-                             l.continuity_error, l.courant, l.largest_solid_fraction});
+      row.insert(row.end(),
+                 {l.superficial_velocity, l.pressure_drop, l.frit_pressure_drop, l.wall_shear,
+                  l.continuity_error, l.courant, l.largest_solid_fraction});
     }
     if (has_bed_) {
       const auto share = figures_.compression();

@@ -25,8 +25,9 @@ struct CoupledOptions {
 struct LiquidFigures {
   /// Downwards: through the inlet, and what a plunger that moves displaces [m/s].
   double superficial_velocity = 0.0;
-  bool plunger_moves = false;   ///< in the past interval
-  double pressure_drop = 0.0;   ///< inlet less outlet, without the hydrostatic part [Pa]
+  bool plunger_moves = false;       ///< in the past interval
+  double pressure_drop = 0.0;       ///< inlet less outlet, without the hydrostatic part [Pa]
+  double frit_pressure_drop = 0.0;  ///< of both frits, on top of that [Pa]
   double pressure_force = 0.0;  ///< on the whole content, downwards: sum of p n over both ends [N]
   double wall_shear = 0.0;      ///< of the liquid on the walls, downwards [N]
   double continuity_error = 0.0;

@@ -31,6 +31,8 @@ struct ColumnOptions {
   mesh::ColumnShape shape;
   Material wall;                          ///< of the tube, or of all walls of a box
   Material frit;                          ///< of both ends
+  double inlet_resistance = 0.0;          ///< of the frit there, thickness / permeability [1/m]
+  double outlet_resistance = 0.0;         ///< likewise [1/m]
   std::optional<mesh::MeshOptions> mesh;  ///< for the liquid; none when dry
   /// Superficial velocity of a relative hydrodynamic load (RHL) of 1 [m/s].
   std::optional<double> full_load{};

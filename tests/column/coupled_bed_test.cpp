@@ -42,10 +42,10 @@ dem::Dem bed_at_rest(double inertia_scale) {
 }
 
 CoupledBed liquid(coupling::Scheme scheme = coupling::Scheme::frozen_flux,
-                  const fluid::Wall& wall = {}) {
+                  const fluid::Boundaries& boundaries = {}) {
   const mesh::ColumnMesh mesh(slice, mesh::cell_counts(slice, {}));
   CoupledOptions o;
-  o.fluid.boundaries.x_low = o.fluid.boundaries.x_high = wall;
+  o.fluid.boundaries = boundaries;
   o.coupling.scheme = scheme;
   o.coupling.widths = {.reach = 0.75e-3, .reach_z = 0.75e-3};
   return {mesh, slice, o, Ranks::alone()};
@@ -82,6 +82,25 @@ TEST(CoupledBed, IsCarriedByFloorAndWalls) {
   const double carried = mean_force(s, dem, true) + mean_force(s, dem, false) + f.wall_shear;
   EXPECT_NEAR(carried / (weight + f.pressure_force), 1.0, 1e-3);
   EXPECT_GT(f.pressure_force, 2.0 * weight);
+}
+
+TEST(CoupledBed, TellsThePressureDropOfItsFritsBesides) {
+  const auto figures = [](double inlet_resistance, double outlet_resistance) {
+    auto s = cloud_of(50, 0.1);
+    fluid::Boundaries b;
+    b.inlet = fluid::Inlet{.superficial = {}, .frit_resistance = inlet_resistance};
+    b.outlet = fluid::Outlet{.pressure = 0.0, .frit_resistance = outlet_resistance};
+    auto bed = liquid(coupling::Scheme::frozen_flux, b);
+    bed.start(s.dem);
+    bed.set_flow(fluid::FlowProgram::steady(500 * cm_h));
+    run(bed, s.dem, 4e-3, 1e-3);
+    return bed.figures();
+  };
+  const auto without = figures(0.0, 0.0);
+  const auto with = figures(1e9, 2e9);
+  const double mu = CoupledOptions{}.fluid.mu_f;
+  EXPECT_EQ(without.frit_pressure_drop, 0.0);
+  EXPECT_NEAR(with.frit_pressure_drop, mu * 3e9 * 500 * cm_h, 1e-5 * mu * 3e9 * 500 * cm_h);
 }
 
 // The pressure drop is that of Koch and Hill at the porosities that the liquid sees, layer by layer, for beads
@@ -132,8 +151,10 @@ TEST(CoupledBed, BearsMoreShearAtWallsOfVoidFractionOne) {
   std::array<double, 2> at_wall{};  // mean velocity in the cells at a wall, inside the bed
   for (const bool open : {false, true}) {
     auto dem = bed_at_rest(100.0);
-    auto bed = liquid(coupling::Scheme::frozen_flux,
-                      {.velocity = {}, .void_fraction = open ? std::optional(1.0) : std::nullopt});
+    fluid::Boundaries boundaries;
+    boundaries.x_low = boundaries.x_high =
+        fluid::Wall{.velocity = {}, .void_fraction = open ? std::optional(1.0) : std::nullopt};
+    auto bed = liquid(coupling::Scheme::frozen_flux, boundaries);
     bed.start(dem);
     bed.set_flow(fluid::FlowProgram::steady(100 * cm_h));
     run(bed, dem, 0.2, 2e-3);
