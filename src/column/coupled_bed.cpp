@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <utility>
 #include <vector>
 
 #include "column/plunger.hpp"
 #include "core/exact_sum.hpp"
+#include "fluid/figures.hpp"
 
 namespace packbed::column {
 namespace {
@@ -99,6 +101,13 @@ void CoupledBed::advance(dem::Dem& dem, std::int64_t count) {
 
 double CoupledBed::flow() const {
   return std::get<fluid::Inlet>(fluid_.options().boundaries.inlet).superficial.at(time());
+}
+
+double CoupledBed::interval_within_limit(double wanted) const {
+  const auto& inlet = std::get<fluid::Inlet>(fluid_.options().boundaries.inlet).superficial;
+  const double coming = std::max(std::abs(inlet.at(time())), std::abs(inlet.at(time() + wanted)));
+  const double rate = fluid::courant_rate(fluid_, coming);
+  return rate * wanted > largest_courant ? largest_courant / rate : wanted;
 }
 
 void CoupledBed::load(const fluid::FluidState& state, const dem::Dem& dem) {

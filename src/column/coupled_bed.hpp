@@ -36,6 +36,9 @@ struct LiquidFigures {
   double largest_reynolds = 0.0;        ///< of a bead
 };
 
+/// Of the liquid between two exchanges; the scheme is stable beyond.
+inline constexpr double largest_courant = 1.0;
+
 class CoupledBed {
  public:
   /// The liquid at rest; no bead feels it yet. The mesh ends at the plunger. All ranks make theirs at once.
@@ -51,6 +54,10 @@ class CoupledBed {
   void set_flow(const fluid::FlowProgram& flow) { fluid_.set_inlet(flow); }
 
   [[nodiscard]] double flow() const;  ///< at the inlet now, as set [m/s]
+
+  /// As much of `wanted` [s] as keeps the Courant number of the liquid below `largest_courant`: with its present
+  /// velocities, and with the flow that is set. All ranks call it.
+  [[nodiscard]] double interval_within_limit(double wanted) const;
 
   /// An interval: `count` time steps of the beads, as long a step of the liquid, and the exchange. The upper
   /// end of the mesh goes with the plunger.

@@ -85,6 +85,7 @@ std::string liquid_line(const RunData& run, const UnitSystem& units) {
 std::string coupling_line(const Json& v) {
   return listed({{"drag law", text(v, "/drag/law")},
                  {"smallest void fraction it sees", text(v, "/drag/min_void_fraction")},
+                 {"void fraction at walls", text(v, "/liquid/wall_void_fraction")},
                  {"overlaps", text(v, "/coupling/overlap")},
                  {"averaging width", text(v, "/coupling/averaging_width")},
                  {"interval", text(v, "/coupling/interval")},

@@ -66,9 +66,10 @@ struct ResinOptions {
 
 struct LiquidOptions {
   std::string name;
-  double density;                     ///< [kg/m3]
-  double viscosity;                   ///< [Pa s]
-  std::optional<double> temperature;  ///< [K]; none where density and viscosity were given
+  double density;                              ///< [kg/m3]
+  double viscosity;                            ///< [Pa s]
+  std::optional<double> temperature;           ///< [K]; none where density and viscosity were given
+  std::optional<double> wall_void_fraction{};  ///< at walls, in their shear; none: that of the cell
   bool operator==(const LiquidOptions&) const = default;
 };
 

@@ -144,6 +144,33 @@ TEST(CoupledBed, HasThePressureDropOfItsLayers) {
   EXPECT_NEAR((mean(high, p) - mean(low, p)) / expected, 1.0, 0.04);
 }
 
+// Thesis table B.3. Beads resist so much more than walls do that the liquid moves on nearly as it did; where there is a
+// bed, here of a void fraction of 0.50 at the wall, the wall takes nearly twice the shear.
+TEST(CoupledBed, BearsMoreShearAtWallsOfVoidFractionOne) {
+  std::array<LiquidFigures, 2> figures;
+  std::array<double, 2> at_wall{};  // mean velocity in the cells at a wall, inside the bed
+  for (const bool open : {false, true}) {
+    auto dem = bed_at_rest(100.0);
+    fluid::Boundaries boundaries;
+    boundaries.x_low = boundaries.x_high =
+        fluid::Wall{.velocity = {}, .void_fraction = open ? std::optional(1.0) : std::nullopt};
+    auto bed = liquid(coupling::Scheme::frozen_flux, boundaries);
+    bed.start(dem);
+    bed.set_flow(fluid::FlowProgram::steady(100 * cm_h));
+    run(bed, dem, 0.2, 2e-3);
+    figures[open ? 1 : 0] = bed.figures();
+    const auto cells = static_cast<std::size_t>(bed.fluid().domain().mesh.cells_per_layer());
+    for (std::size_t layer = 3; layer <= 6; ++layer) {
+      ASSERT_LT(bed.fluid().domain().part.center[layer * cells].x, -0.8e-3);
+      at_wall[open ? 1 : 0] += 0.25 * bed.fluid().u()[layer * cells].z;
+    }
+  }
+  EXPECT_NEAR(at_wall[1] / at_wall[0], 0.997, 0.001);
+  EXPECT_NEAR(figures[1].pressure_drop / figures[0].pressure_drop, 1.004, 0.002);
+  // Free liquid above the bed, whose walls are of 1 anyway, has its share.
+  EXPECT_NEAR(figures[1].wall_shear / figures[0].wall_shear, 1.79, 0.1);
+}
+
 struct Noise {
   double mean = 0.0;
   double deviation = 0.0;  ///< of the pressure drop, over it
@@ -244,6 +271,34 @@ TEST(FlowStage, GoesThroughItsPlateausAndTellsWhichWereNotSteady) {
   EXPECT_NEAR(dem.time() - start, 0.15, 1e-9);
   EXPECT_EQ(dem.options().inertia_scale, 100.0);
   EXPECT_NE(stage.result(dem).find("600 cm/h"), std::string::npos) << stage.result(dem);
+}
+
+// Exchanges that are asked for every 0.1 s come so often that the liquid passes at most a cell in between, also in the
+// first interval after a jump of the flow.
+TEST(FlowStage, KeepsTheCourantNumberAtItsLimit) {
+  auto dem = bed_at_rest(1.0);
+  auto bed = liquid();
+  FlowOptions o;
+  o.to = 1000 * cm_h;
+  o.steps = 2;
+  o.hold = 0.3;
+  o.ramps = false;
+  o.interval = 1.0;
+  o.area = area;
+  o.coupling_interval = 0.1;
+  o.inertia_scale = 100.0;
+  o.stepping = {.longest_step = 1.0, .fixed_step = {}};
+  FlowStage stage(o, bed);
+  stage.begin(dem);
+  double largest = 0.0;
+  int intervals = 0;
+  for (auto after = After::goes_on; after != After::end; ++intervals) {
+    after = stage.advance(dem);
+    largest = std::max(largest, bed.figures().courant);
+  }
+  EXPECT_GT(intervals, 6);
+  EXPECT_LT(largest, 1.02 * largest_courant);
+  EXPECT_GT(largest, 0.6 * largest_courant);
 }
 
 // A stage that is saved within a plateau tells the same of it as one that was not interrupted.

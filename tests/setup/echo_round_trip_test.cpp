@@ -158,7 +158,8 @@ std::string settle() {
 std::string random_case() {
   std::string text =
       maybe("title", "\"A \\\"quoted\\\" title, with # and ä\"") + column() + resin();
-  text += "[liquid]\n" + maybe("temperature", quantity(4, 40, {"degC"}));
+  text += "[liquid]\n" + maybe("temperature", quantity(4, 40, {"degC"})) +
+          maybe("wall_void_fraction", *element<std::string>("1", "0.4", "\"bed\""));
   text += "[drag]\n" + maybe("law", *element<std::string>("\"ergun\"", "\"beetstra\"")) +
           maybe("min_void_fraction", number(0.3, 0.45));
   text += "[coupling]\n" + maybe("overlap", "\"merged\"") + maybe("scheme", "\"frozen_velocity\"") +
