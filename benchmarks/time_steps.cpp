@@ -13,7 +13,7 @@
 #include <sys/resource.h>
 
 #include "benchmarks/beds.hpp"
-#include "core/aligned.hpp"
+#include "core/freed_memory.hpp"
 
 namespace {
 
