@@ -107,7 +107,8 @@ void judge_wall(const Results& results, std::vector<Check>& checks) {
   }
 }
 
-constexpr std::array dampings = {"5 ms", "20 ms", "80 ms"};
+// A quarter, half, once and twice the default.
+constexpr std::array dampings = {"10 ms", "20 ms", "40 ms", "80 ms"};
 
 std::string damping_piece(const char* damping) {
   return fmt::format("slice-damping-{}",
