@@ -115,7 +115,7 @@ double dissipated_share(double friction) {
   return 1.0 - (energy(dem.snapshot()) - before) / work;
 }
 
-// Work = stored + dissipated + change of potential; about half is stored. Which friction loses more hangs on the bed:
+// Work = stored + dissipated + change of potential; most is stored without friction. Which loses more hangs on the bed:
 // less friction means more grains that snap into new places.
 TEST(PlungerStage, DoesTheWorkThatIsStoredAndDissipated) {
   const double smooth = dissipated_share(0.0);
