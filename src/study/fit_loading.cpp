@@ -56,6 +56,7 @@ CurveFit fit_rows(const continuum::BeadCurve& curve,
                                                            std::span<double> r) {
     for (std::size_t i = 0; i < r.size(); ++i) r[i] = (force(p, i) - data[i]) / most;
   };
+  fit.problem.starts = starts;
   auto started = least_squares(fit.problem, starts);
   fit.curve = curve.name;
   fit.fit = std::move(started.fit);

@@ -210,7 +210,8 @@ CurveFit fit_prony_terms(const std::vector<double>& time,
     for (std::size_t i = 0; i < r.size(); ++i) r[i] = (prony_force(p, time[i]) - force[i]) / most;
   };
   if (problem.rows <= problem.parameters.size()) least_squares(problem);  // refuses
-  auto started = least_squares(problem, prony_starts(time, force, terms, step, 3.0 * span));
+  problem.starts = prony_starts(time, force, terms, step, 3.0 * span);
+  auto started = least_squares(problem, problem.starts);
   sort_terms(started.fit, terms);
   fit.fit = std::move(started.fit);
   fit.starts = started.starts;

@@ -29,6 +29,7 @@ struct FitProblem {
   std::function<void(std::span<const double> values, std::span<double> residuals)> residuals;
   bool known_errors =
       false;  ///< residuals are in standard deviations: intervals do not scale with the misfit
+  std::vector<std::vector<double>> starts = {};  ///< where a search may begin, too; see profile.hpp
 };
 
 /// A parameter, or a figure made of them, with its interval.

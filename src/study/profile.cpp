@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,7 @@ using Figure = std::function<double(std::span<const double>)>;
 constexpr double spring = 30.0;
 constexpr double accuracy = 1e-3;    // of the interval, in standard deviations
 constexpr double least_gain = 1e-5;  // of a step in the sum of squares, in variances
+constexpr double reach = 0.02;       // of the figure: places nearer than this are at the same one
 constexpr int most_searches = 40;    // fits per side
 // Share of the range of a parameter: nearer to its bound it rests on it.
 constexpr double free_share = 1e-3;
@@ -36,10 +38,11 @@ struct Place {
 struct Profile {
   const FitProblem& problem;
   const Fit& fit;
-  Figure axis;             ///< figure or its logarithm
-  double center = 0.0;     ///< axis at the best fit
-  double deviation = 1.0;  ///< linear standard error on the axis
-  double variance = 1.0;   ///< of a residual
+  Figure axis;                                ///< figure or its logarithm
+  double center = 0.0;                        ///< axis at the best fit
+  double deviation = 1.0;                     ///< linear standard error on the axis
+  double variance = 1.0;                      ///< of a residual
+  std::optional<std::size_t> parameter = {};  ///< if the figure is one
 };
 
 // From one list of values towards another and, with share > 1, beyond.
@@ -61,7 +64,7 @@ std::vector<double> towards(const FitProblem& problem,
 
 // The least misfit with the figure near x. A residual is added that draws it there by a spring: where that comes to
 // rest the misfit is the least of all with the same figure, whether or not the figure has come all the way.
-Place place_near(const Profile& p, double x, const std::vector<double>& start) {
+Place place_from(const Profile& p, double x, const std::vector<double>& start) {
   FitProblem held = p.problem;
   for (std::size_t i = 0; i < start.size(); ++i) held.parameters[i].start = start[i];
   ++held.rows;
@@ -78,6 +81,20 @@ Place place_near(const Profile& p, double x, const std::vector<double>& start) {
   const double growth = fit.sum_of_squares - pull * pull - p.fit.sum_of_squares;
   place.z = std::sqrt(std::max(growth, 0.0) / p.variance);
   return place;
+}
+
+// The same; what seems to be beyond the limit is sought from the other starts, too.
+Place place_near(const Profile& p, double x, const std::vector<double>& start) {
+  auto best = place_from(p, x, start);
+  for (auto other : p.problem.starts) {
+    if (best.z < p.fit.quantile) break;
+    if (p.parameter) other[*p.parameter] = best.values[*p.parameter];
+    auto place = place_from(p, x, other);
+    // The spring has come to rest elsewhere: only what is as far out can say more.
+    if (place.z < best.z && std::abs(place.x) >= (1.0 - reach) * std::abs(best.x))
+      best = std::move(place);
+  }
+  return best;
 }
 
 // Between two places on either side of the limit: by straight lines in z, kept from creeping (Illinois).
@@ -152,6 +169,7 @@ void set_interval(const FitProblem& problem,
                   const Fit& fit,
                   const Figure& figure,
                   const Axis& axis,
+                  std::optional<std::size_t> parameter,
                   Estimate& e) {
   const double variance = variance_of(problem, fit);
   if (!(variance > least_variance)) return;
@@ -165,7 +183,8 @@ void set_interval(const FitProblem& problem,
             .axis = [&](std::span<const double> v) { return on_axis(figure(v)); },
             .center = on_axis(e.value),
             .deviation = std::isfinite(error) && error > 0.0 ? std::min(error, most) : most,
-            .variance = variance};
+            .variance = variance,
+            .parameter = parameter};
   if (!std::isfinite(error)) find_deviation(p);
   const auto side = [&](double sign, double way) {
     const double x = way > 0.0 ? limit_of(p, sign, way / p.deviation) : sign * infinity;
@@ -190,7 +209,7 @@ void profile_parameters(const FitProblem& problem, Fit& fit) {
       axis.up = on_axis(q.high) - on_axis(e.value) - margin;
     }
     set_interval(
-        problem, fit, [k](std::span<const double> v) { return v[k]; }, axis, e);
+        problem, fit, [k](std::span<const double> v) { return v[k]; }, axis, k, e);
   }
 }
 
@@ -198,7 +217,7 @@ void profile_figure(const FitProblem& problem,
                     const Fit& fit,
                     const Figure& figure,
                     Estimate& estimate) {
-  set_interval(problem, fit, figure, {.logarithmic = estimate.value > 0.0}, estimate);
+  set_interval(problem, fit, figure, {.logarithmic = estimate.value > 0.0}, std::nullopt, estimate);
 }
 
 }  // namespace packbed::study

@@ -21,7 +21,8 @@ enum class Intervals {
 /// Gives each estimate of `fit`, the solution of `problem`, the interval in which
 ///   S(p) <= S_min + s^2 t^2,   S(p) the least sum of squares with this parameter at p,
 /// s^2 the variance and t the quantile of the linear interval. Standard errors stay. A side on which S does not get
-/// there before the bound of a parameter is open: infinite.
+/// there before the bound of a parameter is open: infinite. Where S seems to be beyond, the search is repeated from
+/// each of problem.starts: a fit with the parameter held may have several minima.
 void profile_parameters(const FitProblem& problem, Fit& fit);
 
 /// The same for a figure that follows from the parameters; `estimate` is what derived() made of it.
