@@ -68,11 +68,19 @@ void look_above_planes(const dem::Dem& dem, double height, Above& above) {
   }
 }
 
+/// A bed at rest to 1e-6 of its contact forces misses some 3e-6 of its weight. It rests a little longer here.
+double rested_budget_error(Settled& bed) {
+  bed.dem.set_background_damping(1.0 / 5e-3);
+  bed.dem.run(20'000);
+  bed.dem.set_background_damping(0.0);
+  return budget_error(bed);
+}
+
 /// After a deposition walls are not at the limit of friction. So the tube is drawn up slowly, by a
 /// grain, until it is; then forces are averaged over another grain.
 Table stress_table(int seed) {
   auto bed = settle(janssen_case(seed));
-  const double budget = budget_error(bed);
+  const double budget = rested_budget_error(bed);
   constexpr double pace = 1e-3;  // [m/s]
   for (auto& wall : bed.dem.walls()) {
     if (std::holds_alternative<dem::Tube>(wall.surface)) wall.velocity = {0, 0, pace};
@@ -169,8 +177,8 @@ std::vector<Check> judge(const Results& results) {
   checks.push_back({"the same, root of mean square", off.rms, 0.0, 0.05, "P9"});
   for (int seed = 1; seed <= beds; ++seed) {
     checks.push_back({fmt::format("bed {}, floor and walls carry the weight, error", seed),
-                      std::abs(results.at(piece(seed)).column("budget_error").front()), 0.0, 1e-4,
-                      "P9; at rest to 1e-6 of the contact force"});
+                      std::abs(results.at(piece(seed)).column("budget_error").front()), 0.0, 1e-6,
+                      "P9"});
   }
   return checks;
 }
