@@ -5,6 +5,7 @@
 /// Beads, walls and contacts stepped in time. Velocity Verlet in leapfrog form: after the first step
 /// velocities stand at half steps, and the laws see v(n - 1/2). Order 2 without damping, 1 with.
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -158,7 +159,8 @@ class Dem {
   void renew();
   void renew_if_needed();
   void check_finite() const;
-  void check_count() const;
+  /// That the beads are as many, and have the same momentum, to the bit, as before.
+  void check_migration(const std::array<double, 3>& momentum_before) const;
   /// Time over which v(n - 1/2) has moved the springs: the last step. Before the first one the coming
   /// step, so that beads which slide from the start do not look as if they stuck.
   [[nodiscard]] double spring_step() const { return last_step_ > 0.0 ? last_step_ : options_.step; }

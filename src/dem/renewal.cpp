@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/exact_sum.hpp"
 #include "dem/dem.hpp"
 #include "dem/neighbors.hpp"
 
@@ -22,6 +23,20 @@ void find_places(const Particles& particles, PlaceOfId& place_of) {
     const auto found = place_of.find(particles.properties[i].id);
     if (found != place_of.end()) found->second = static_cast<std::int32_t>(i);
   }
+}
+
+/// Of the own beads of all ranks, to the same bits wherever they are [kg m/s].
+std::array<double, 3> momentum(const Particles& particles, const Ranks& ranks) {
+  std::array<std::vector<double>, 3> terms;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (!particles.is_own(i)) continue;
+    const Vec3 p = particles.properties[i].mass * particles.motion[i].v;
+    terms[0].push_back(p.x);
+    terms[1].push_back(p.y);
+    terms[2].push_back(p.z);
+  }
+  return {order_independent_sum(terms[0], ranks), order_independent_sum(terms[1], ranks),
+          order_independent_sum(terms[2], ranks)};
 }
 
 }  // namespace
@@ -124,6 +139,7 @@ void Dem::trade_beads_and_contacts() {
                          options_.load_tolerance, renewals_ == 0);
   if (fullest > options_.load_tolerance) ++repartitions_;
   const auto owners = new_owners(particles_, partition_);
+  const auto momentum_before = momentum(particles_, ranks_);
   const auto arrived = migrate(particles_, contacts_, wall_contacts_, wraps, owners, ranks_);
 
   PlaceOfId place_of;
@@ -142,7 +158,7 @@ void Dem::trade_beads_and_contacts() {
 
   reorder(particles_, staying);
   add(particles_, arrived.beads);
-  check_count();
+  check_migration(momentum_before);
   add(particles_, halo(particles_, partition_, largest_diameter_ + options_.skin, ranks_));
   const auto order = key_order(particles_, options_.domain, cell_);
   reorder(particles_, order);
@@ -173,14 +189,21 @@ void Dem::trade_beads_and_contacts() {
   halo_ = HaloExchange(particles_, far_pairs_, ranks_);
 }
 
-void Dem::check_count() const {
+void Dem::check_migration(const std::array<double, 3>& momentum_before) const {
   std::array<std::int64_t, 1> count = {static_cast<std::int64_t>(particles_.size())};
   ranks_.sum(count);
-  if (count[0] == bead_count_) return;
+  if (count[0] != bead_count_) {
+    throw DivergenceError(
+        fmt::format("migration between ranks changed the number of beads from {} to {}; this is a "
+                    "mistake in packbed, please report it",
+                    bead_count_, count[0]));
+  }
+  const auto momentum_now = momentum(particles_, ranks_);
+  if (momentum_now == momentum_before) return;
   throw DivergenceError(
-      fmt::format("migration between ranks changed the number of beads from {} to {}; this is a "
-                  "mistake in packbed, please report it",
-                  bead_count_, count[0]));
+      fmt::format("step {}: migration between ranks changed the momentum of the beads from "
+                  "({:.17g}) to ({:.17g}) kg m/s; this is a mistake in packbed, please report it",
+                  steps_, fmt::join(momentum_before, ", "), fmt::join(momentum_now, ", ")));
 }
 
 /// Those of beads that are own beads now, by their new places.
