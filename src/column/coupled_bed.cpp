@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -103,9 +102,7 @@ double CoupledBed::flow() const {
   return std::get<fluid::Inlet>(fluid_.options().boundaries.inlet).superficial.at(time());
 }
 
-double CoupledBed::interval_within_limit(double wanted) const {
-  const auto& inlet = std::get<fluid::Inlet>(fluid_.options().boundaries.inlet).superficial;
-  const double coming = std::max(std::abs(inlet.at(time())), std::abs(inlet.at(time() + wanted)));
+double CoupledBed::interval_within_limit(double wanted, double coming) const {
   const double rate = fluid::courant_rate(fluid_, coming);
   return rate * wanted > largest_courant ? largest_courant / rate : wanted;
 }

@@ -56,8 +56,8 @@ class CoupledBed {
   [[nodiscard]] double flow() const;  ///< at the inlet now, as set [m/s]
 
   /// As much of `wanted` [s] as keeps the Courant number of the liquid below `largest_courant`: with its present
-  /// velocities, and with the flow that is set. All ranks call it.
-  [[nodiscard]] double interval_within_limit(double wanted) const;
+  /// velocities, and with a superficial velocity of `coming` in space [m/s]. All ranks call it.
+  [[nodiscard]] double interval_within_limit(double wanted, double coming) const;
 
   /// An interval: `count` time steps of the beads, as long a step of the liquid, and the exchange. The upper
   /// end of the mesh goes with the plunger.

@@ -132,7 +132,11 @@ void PlungerStage::choose_inertia(dem::Dem& dem) {
 }
 
 double PlungerStage::slice_time(const dem::Dem& dem) const {
-  if (liquid_ != nullptr) return liquid_->interval_within_limit(state_.interval);
+  if (liquid_ != nullptr) {
+    const bool displaces = phase() == PlungerPhase::move || phase() == PlungerPhase::hold;
+    const double coming = std::abs(state_.flow) + (displaces ? std::abs(options_.speed) : 0.0);
+    return liquid_->interval_within_limit(state_.interval, coming);
+  }
   return static_cast<double>(steps_per_slice(dem.bead_count())) * dem.options().step;
 }
 
