@@ -232,7 +232,7 @@ TEST(Resins, ListsShowsAndPrintsJson) {
 
 TEST(Units, ShowEveryDimension) {
   const auto units = nlohmann::json::parse(run_packbed("units --json").out);
-  EXPECT_EQ(units.size(), 11U);
+  EXPECT_EQ(units.size(), 12U);
   EXPECT_EQ(units["velocity"][0]["value_m_s"], 2763.0 / 360000.0);
   EXPECT_THAT(run_packbed("units").err, IsEmpty());
 }

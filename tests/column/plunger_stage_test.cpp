@@ -126,7 +126,19 @@ TEST(PlungerStage, DoesTheWorkThatIsStoredAndDissipated) {
   EXPECT_LT(rough, 0.6);
 }
 
-// A bed without friction that is pressed and let go a little, and pressed again, stands as it did.
+/// Largest way of a grain from one state to another, over its diameter; the slice is periodic in y.
+double largest_way(const dem::Snapshot& from, const dem::Snapshot& to) {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < from.x.size(); ++i) {
+    Vec3 way = to.x[i] - from.x[i];
+    way.y -= slice.depth * std::round(way.y / slice.depth);
+    worst = std::max(worst, norm(way) / from.beads[i].diameter);
+  }
+  return worst;
+}
+
+// A bed without friction that is pressed and let go a little, again and again, comes to a state to which it returns:
+// once no grain snaps into a new place any more.
 TEST(PlungerStage, BringsABedWithoutFrictionBack) {
   auto dem = bed(settle_grains(0.0));
   for (auto& wall : dem.walls()) wall.friction = 0.0;
@@ -143,15 +155,18 @@ TEST(PlungerStage, BringsABedWithoutFrictionBack) {
   };
   go_to(0.85, 2e-3);
   go_to(0.87, -1e-3);
-  const auto first = go_to(0.85, 1e-3);
-  go_to(0.87, -1e-3);
-  const auto second = go_to(0.85, 1e-3);
-  double worst = 0.0;
-  for (std::size_t i = 0; i < first.x.size(); ++i) {
-    worst = std::max(worst, norm(second.x[i] - first.x[i]) / first.beads[i].diameter);
+  auto before = go_to(0.85, 1e-3);
+  double way = 1.0;
+  double change = 1.0;
+  for (int cycle = 0; cycle < 4 && way >= 1e-4; ++cycle) {
+    go_to(0.87, -1e-3);
+    const auto now = go_to(0.85, 1e-3);
+    way = largest_way(before, now);
+    change = std::abs(now.elastic_energy / before.elastic_energy - 1.0);
+    before = now;
   }
-  EXPECT_LT(worst, 1e-4);
-  EXPECT_NEAR(second.elastic_energy, first.elastic_energy, 1e-6 * first.elastic_energy);
+  EXPECT_LT(way, 1e-4);
+  EXPECT_LT(change, 1e-6);
 }
 
 TEST(PlungerStage, ComesToAForceWithoutPassingIt) {
