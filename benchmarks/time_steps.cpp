@@ -13,7 +13,7 @@
 #include <sys/resource.h>
 
 #include "benchmarks/beds.hpp"
-#include "core/aligned.hpp"
+#include "core/freed_memory.hpp"
 
 namespace {
 
@@ -67,7 +67,7 @@ int main(int argc, char** argv) {
     std::fputs("usage: time_steps BED STEP WARM COUNT REPEATS\n", stderr);
     return 1;
   }
-  packbed::return_freed_memory();
+  packbed::give_back_freed_memory();
   const packbed::MpiSession session;
   try {
     return time_steps(argv + 1);

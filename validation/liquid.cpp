@@ -66,8 +66,8 @@ double order(const Results& results, const std::string& name, const std::string&
 }
 
 std::vector<Check> judge(const Results& results) {
-  return {{"F4, order of the velocity, cylinder", order(results, "manufactured", "velocity"), 1.8,
-           2.3, "order 2 +- 0.2"},
+  return {{"F4, order of the velocity, cylinder", order(results, "manufactured", "velocity"), 1.9,
+           2.1, "order 2 +- 0.1"},
           {"F4, order of the pressure, cylinder", order(results, "manufactured", "pressure"), 1.5,
            2.5, "at least 1.5"},
           {"F2, order of the velocity, pipe", order(results, "pipe", "velocity"), 1.8, 2.3,

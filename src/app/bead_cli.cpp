@@ -79,6 +79,10 @@ void add_fit(CLI::App& bead, BeadFitCommand& o, Action& action) {
   command->add_option("--density", o.density, "hooke: density of the wet bead");
   command->add_option("--characteristic-velocity", o.characteristic_velocity,
                       "hooke: speed that E belongs to");
+  command->add_option(
+      "--intervals", o.intervals,
+      "linear (default), or profile: right where the data hardly determine a figure; "
+      "takes longer");
   command->add_option("--plot", o.plot, "Draw data, model and residuals to this file (SVG)");
   add_json(*command, o.json);
   command->callback([&] { action = [&] { return bead_fit(o); }; });

@@ -31,6 +31,7 @@ struct BeadFitCommand {
   int terms = 0;  ///< prony: 0 chooses
   std::string ramp_time;
   std::string ramp_correction = "exact";
+  std::string intervals = "linear";
   std::string plot;
   bool json = false;
 };

@@ -74,6 +74,7 @@ nlohmann::ordered_json figures(const BeadCurveCommand& command,
     j["shear_modulus_relaxed_Pa"] = *model.relaxed;
     j["youngs_modulus_relaxed_Pa"] = continuum::youngs_modulus(*model.relaxed, model.shape.poisson);
   }
+  if (!model.approximation.empty() && loading.ramp_time > 0.0) j["note"] = model.approximation;
   return j;
 }
 
@@ -95,6 +96,7 @@ void print(const nlohmann::ordered_json& j) {
   line("work_loading_J", "work put in", 1e12, "pJ");
   line("work_unloading_J", "work given back", 1e12, "pJ");
   line("restitution", "restitution", 1.0, "");
+  if (j.contains("note")) fmt::print("note: {}\n", j["note"].get<std::string>());
 }
 
 int finish(const BeadCurveCommand& command, const nlohmann::ordered_json& j) {
@@ -111,9 +113,11 @@ int finish(const BeadCurveCommand& command, const nlohmann::ordered_json& j) {
 int bead_compress(const BeadCurveCommand& command) {
   const UnitSystem units;
   const auto model = make_bead_model(command.bead, units);
-  if (model.step_only) {
+  if (model.closing_only && command.unload) {
     throw ConfigError(
-        "--model poroelastic is known for a step only (thesis eq. 3.38); use `packbed bead relax`");
+        "--unload does not apply to --model poroelastic, whose contact shrinks in a way that is "
+        "not "
+        "known; leave it out");
   }
   const double speed = quantity(units, {"--speed", command.speed}, velocity, bounds::positive);
   const double t = quantity(units, {"--time", command.time}, time, bounds::positive);
@@ -144,11 +148,6 @@ int bead_relax(const BeadCurveCommand& command) {
   const auto speed =
       optional_quantity(units, {"--speed", command.speed}, velocity, bounds::positive);
   if (speed) loading.ramp_time = loading.depth / *speed;
-  if (speed && model.step_only) {
-    throw ConfigError(
-        "--speed does not apply to --model poroelastic, which is known for a step only (thesis eq. "
-        "3.38); leave it out");
-  }
   const double hold = quantity(units, {"--time", command.time}, time, bounds::not_negative);
   const double end = loading.ramp_time + hold;
   auto j = figures(command, model, loading, end);

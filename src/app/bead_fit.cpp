@@ -65,7 +65,7 @@ study::PronyOptions prony_options(const BeadFitCommand& c,
   return options;
 }
 
-void note_prony(const study::PronyFit& prony, Fitted& fitted) {
+void note_prony(const study::PronyFit& prony, study::Intervals intervals, Fitted& fitted) {
   const auto& fit = prony.best;
   if (!prony.bic.empty()) {
     fitted.notes.push_back(fmt::format(
@@ -77,9 +77,11 @@ void note_prony(const study::PronyFit& prony, Fitted& fitted) {
     if (tau->value > fit.x.back()) {
       fitted.notes.push_back(
           fmt::format("{}: tau{} = {:.3g} s is longer than the data ({:.3g} s): it, its amplitude "
-                      "and B0 are extrapolations, and their "
-                      "intervals are too narrow",
-                      fit.curve, i, tau->value, fit.x.back()));
+                      "and B0 are extrapolations{}",
+                      fit.curve, i, tau->value, fit.x.back(),
+                      intervals == study::Intervals::linear
+                          ? ", and their intervals are too narrow; use --intervals profile"
+                          : ""));
     }
   }
 }
@@ -139,7 +141,7 @@ CurveFit fit_one(const BeadFitCommand& c,
   const double nu = quantity(units, {"--poisson", c.poisson}, fraction, bounds::poisson_ratio);
   if (c.model == "prony") {
     auto prony = study::fit_prony(curve, prony_options(c, units, nu));
-    note_prony(prony, fitted);
+    note_prony(prony, read_intervals(c.intervals), fitted);
     return std::move(prony.best);
   }
   if (c.model == "hertz") return study::fit_hertz(curve, nu);
@@ -158,11 +160,13 @@ Fitted fit_all(const BeadFitCommand& c, const UnitSystem& units) {
       c.model == "power" || c.model == "restitution"
           ? quantity_or(units, {"--radius", c.radius}, length, bounds::positive, 1.0)
           : optional_quantity(units, {"--radius", c.radius}, length, bounds::positive);
+  const auto intervals = read_intervals(c.intervals);
   Fitted fitted;
   for (const auto& file : c.files) {
     for (const auto& curve : setup::read_curves(file, units, radius)) {
       try {
         fitted.fits.push_back(fit_one(c, units, curve, fitted));
+        if (intervals == study::Intervals::profile) study::profile_intervals(fitted.fits.back());
       } catch (const ValueError& error) {
         throw ConfigError(fmt::format("{}: curve \"{}\": {}", file, curve.name, error.what()));
       }
@@ -173,7 +177,7 @@ Fitted fit_all(const BeadFitCommand& c, const UnitSystem& units) {
 }
 
 nlohmann::ordered_json to_json(const BeadFitCommand& c, const Fitted& fitted) {
-  nlohmann::ordered_json j{{"model", c.model}};
+  nlohmann::ordered_json j{{"model", c.model}, {"intervals", c.intervals}};
   j["curves"] = nlohmann::ordered_json::array();
   for (const auto& fit : fitted.fits) j["curves"].push_back(fit_json(fit));
   for (const auto& group : same_depth(fitted.fits)) {

@@ -9,7 +9,7 @@
 #include "app/quantities.hpp"
 #include "continuum/bead/hertz.hpp"
 #include "continuum/bead/hooke.hpp"
-#include "continuum/bead/poroelastic.hpp"
+#include "continuum/bead/poroelastic_ramp.hpp"
 #include "continuum/bead/swollen_bead.hpp"
 #include "continuum/bead/viscoelastic.hpp"
 #include "core/error.hpp"
@@ -108,11 +108,16 @@ BeadModel poroelastic(const BeadOptions& o, const UnitSystem& units, continuum::
       quantity_or(units, {"--viscosity", o.viscosity}, viscosity, bounds::positive, 1e-3);
   const continuum::PoroelasticBead bead{
       shape, g, continuum::poroelastic_diffusivity(shape.poisson, g, k, mu)};
-  return {.shape = shape,
-          .force = [bead](const Loading& l, double t) { return bead.force(l.depth, t); },
-          .step_only = true,
-          .instantaneous = {},
-          .relaxed = g};
+  return {
+      .shape = shape,
+      .force = [bead](const Loading& l,
+                      double t) { return continuum::poroelastic_force(bead, l, t); },
+      .closing_only = true,
+      .approximation =
+          "the ramp is an approximation: steps of the present contact radius, superposed; a step "
+          "(relax without --speed) and very fast and slow ramps are exact",
+      .instantaneous = {},
+      .relaxed = g};
 }
 
 }  // namespace

@@ -28,7 +28,8 @@ struct BeadOptions {
 struct BeadModel {
   continuum::BeadShape shape;
   std::function<double(const continuum::Loading&, double)> force;
-  bool step_only = false;                    ///< known for a step only
+  bool closing_only = false;                 ///< not known for opening plates
+  std::string approximation = {};            ///< said with figures of a ramp
   std::optional<double> instantaneous = {};  ///< shear modulus G(0) [Pa]
   std::optional<double> relaxed = {};        ///< G(inf) [Pa]
 };

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/error.hpp"
+
 namespace packbed::app {
 namespace {
 
@@ -64,6 +66,13 @@ std::vector<OverCurves> over_curves(const std::vector<CurveFit>& fits) {
 
 }  // namespace
 
+study::Intervals read_intervals(const std::string& text) {
+  if (text == "linear") return study::Intervals::linear;
+  if (text == "profile") return study::Intervals::profile;
+  throw ConfigError(
+      fmt::format("--intervals \"{}\" is not known; known are linear and profile", text));
+}
+
 Shown shown(const std::string& name) {
   for (const auto& u : units) {
     if (!name.ends_with(u.suffix)) continue;
@@ -117,11 +126,11 @@ Json over_curves_json(const std::vector<CurveFit>& fits) {
 
 void print_estimate(const study::Estimate& e) {
   const auto s = shown(e.name);
-  const auto number = [&](double v) {
-    return std::isfinite(v) ? fmt::format("{:.5g}", v * s.factor) : "unknown";
+  const auto number = [&](double v, const char* otherwise = "unknown") {
+    return std::isfinite(v) ? fmt::format("{:.5g}", v * s.factor) : otherwise;
   };
   fmt::print("  {:<28} {:>12} +- {:<10} [{}, {}]{}\n", s.name, number(e.value), number(e.error),
-             number(e.low), number(e.high), e.at_bound ? "  at a bound" : "");
+             number(e.low, "open"), number(e.high, "open"), e.at_bound ? "  at a bound" : "");
 }
 
 void print_correlation(const study::Fit& fit) {

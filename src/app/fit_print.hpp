@@ -13,6 +13,9 @@
 
 namespace packbed::app {
 
+/// "linear" or "profile", as the user wrote it. Throws ConfigError.
+study::Intervals read_intervals(const std::string& text);
+
 /// A figure in the unit that people use, by the SI unit at the end of its name: "G0_Pa" in MPa.
 struct Shown {
   std::string name;  ///< "G0 [MPa]"
@@ -20,7 +23,7 @@ struct Shown {
 };
 Shown shown(const std::string& name);
 
-/// { value, error, low, high [, at_bound] }; what is not finite becomes null.
+/// { value, error, low, high [, at_bound] }; what is not finite becomes null: unknown, or open.
 nlohmann::ordered_json estimate_json(const study::Estimate& estimate);
 
 /// Correlations of the parameters: an array of arrays.

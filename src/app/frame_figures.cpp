@@ -166,6 +166,7 @@ void add_liquid(FrameAnalysis& a, const BedFrame& frame, const mesh::ColumnShape
   if (frame.liquid.empty()) return;
   const auto variance = analysis::velocity_variance(frame.liquid, {0.0, a.figures.bed_height});
   a.figures.velocity_variance = variance.variance;
+  if (a.figures.superficial_velocity == 0.0) return;  // what still moves there has no bulk
   if (variance.mean != 0.0) a.figures.velocity_variation = variance.variation;
   const double width = width_between_walls(shape);
   if (width == 0.0) return;

@@ -36,6 +36,13 @@ io::ContactLine line_of(const dem::ContactReport& c) {
           .tangential = c.tangential};
 }
 
+std::vector<io::ContactLine> lines_of(const std::vector<dem::ContactReport>& contacts) {
+  std::vector<io::ContactLine> lines;
+  lines.reserve(contacts.size());
+  for (const auto& c : contacts) lines.push_back(line_of(c));
+  return lines;
+}
+
 }  // namespace
 
 FrameWriter::FrameWriter(const std::filesystem::path& folder)
@@ -66,9 +73,23 @@ void FrameWriter::write(const dem::Dem& dem, const column::CoupledBed* liquid) {
   }
 }
 
+// Of a large bed each of snapshot, contacts and lines takes hundreds of bytes per bead: one goes before the next comes.
 void FrameWriter::write_beads(const dem::Dem& dem) {
+  std::vector<io::ContactLine> lines;
+  {
+    const auto contacts = dem.touching_contacts();
+    write_points(dem, contacts);
+    if (!dem.ranks().is_first()) return;
+    lines = lines_of(contacts);
+  }
+  io::write_contact_frame(contacts_.next(), {.time = dem.time(), .contacts = lines});
+  beads_.add(dem.time());
+  contacts_.add(dem.time());
+}
+
+void FrameWriter::write_points(const dem::Dem& dem,
+                               const std::vector<dem::ContactReport>& contacts) {
   const auto s = dem.snapshot();
-  const auto contacts = dem.touching_contacts();
   if (!dem.ranks().is_first()) return;
   std::vector<std::int64_t> id;
   std::vector<double> radius;
@@ -86,12 +107,6 @@ void FrameWriter::write_beads(const dem::Dem& dem) {
                                  {"spin_rad_s", std::span<const Vec3>(s.w)},
                                  {"force_N", std::span<const Vec3>(s.force)},
                                  {"contacts", std::span<const std::int32_t>(count)}}});
-  std::vector<io::ContactLine> lines;
-  lines.reserve(contacts.size());
-  for (const auto& c : contacts) lines.push_back(line_of(c));
-  io::write_contact_frame(contacts_.next(), {.time = s.time, .contacts = lines});
-  beads_.add(s.time);
-  contacts_.add(s.time);
 }
 
 // Ranks own runs of cells in the order of the mesh, so what they give stands in that order.

@@ -25,6 +25,7 @@ class FrameWriter {
 
  private:
   void write_beads(const dem::Dem& dem);
+  void write_points(const dem::Dem& dem, const std::vector<dem::ContactReport>& contacts);
   void write_liquid(const fluid::Fluid& fluid, double time);
 
   io::FrameSeries beads_;

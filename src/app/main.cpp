@@ -9,8 +9,8 @@
 
 #include "app/cli.hpp"
 #include "app/commands.hpp"
-#include "core/aligned.hpp"
 #include "core/error.hpp"
+#include "core/freed_memory.hpp"
 #include "core/ranks.hpp"
 #include "core/text.hpp"
 #include "core/version.hpp"
@@ -100,7 +100,7 @@ void check_command(const CLI::App& app, const std::string& word) {
 }
 
 int dispatch(int argc, char** argv) {
-  return_freed_memory();
+  give_back_freed_memory();
   const MpiSession session;
   CLI::App app("packbed simulates packed chromatography columns bead by bead.");
   app.set_version_flag("--version", fmt::format("packbed {}", version));

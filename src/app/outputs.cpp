@@ -34,8 +34,8 @@ std::vector<std::string> columns(const dem::Dem& dem,
   std::vector<std::string> names = {"time_s", "step", "stage"};
   if (has_liquid) {
     names.insert(names.end(),
-                 {"superficial_velocity_m_s", "pressure_drop_Pa", "liquid_wall_shear_N",
-                  "continuity_error", "courant", "largest_solid_fraction"});
+                 {"superficial_velocity_m_s", "pressure_drop_Pa", "frit_pressure_drop_Pa",
+                  "liquid_wall_shear_N", "continuity_error", "courant", "largest_solid_fraction"});
   }
   if (has_bed) {
     names.insert(names.end(), {"bed_height_m", "compression", "mean_porosity", "middle_porosity",
@@ -197,39 +197,7 @@ void Outputs::row(const dem::Dem& dem, const column::CoupledBed* liquid, std::in
           ? 1.0 - (support.floor + support.shear + figures_.liquid.wall_shear) / support.load
           : 0.0;
   if (reference_) write_sections(dem);
-  if (series_) {
-    std::vector<io::Cell> row = {s.time, dem.steps(), stage};
-    if (has_liquid_) {
-      const auto& l = figures_.liquid;
-      row.insert(row.end(), {l.superficial_velocity, l.pressure_drop, l.wall_shear,
-                             l.continuity_error, l.courant, l.largest_solid_fraction});
-    }
-    if (has_bed_) {
-      const auto share = figures_.compression();
-      const io::Cell compression = share ? io::Cell(*share) : io::Cell(std::string());
-      row.insert(row.end(), {figures_.bed.height, compression, figures_.bed.mean_porosity,
-                             figures_.bed.middle_porosity, support.floor, support.shear,
-                             figures_.budget_error});
-    }
-    if (has_plunger_) {
-      const auto& p = figures_.plunger;
-      const double h0 = figures_.settled_height;
-      const io::Cell none{std::string()};
-      const bool is_there = p.position < column::lid_away;
-      const io::Cell position = is_there ? io::Cell(p.position) : none;
-      const io::Cell share = is_there && h0 > 0.0 ? io::Cell(1.0 - p.position / h0) : none;
-      row.insert(row.end(),
-                 {position, share, p.force, p.force / mesh::cross_section(case_.column.shape)});
-    }
-    row.insert(row.end(), {s.mean_overlap, s.max_overlap_ratio, s.coordination_number,
-                           s.kinetic_energy, s.elastic_energy, figures_.kinetic_to_elastic,
-                           figures_.unbalanced_force, dem.options().step, dem.bead_count()});
-    for (const auto& force : s.wall_force) {
-      for (const double component : as_array(force)) row.emplace_back(component);
-    }
-    series_->row(row);
-    if (case_.output.beads_csv) write_bead_csv(s);
-  }
+  if (series_) write_row(dem, s, stage);
   const auto& interval = case_.output.frame_interval;
   if (!frames_ || !interval) return;
   constexpr double rounding = 1e-9;
@@ -238,6 +206,39 @@ void Outputs::row(const dem::Dem& dem, const column::CoupledBed* liquid, std::in
   if (passed <= frames_by_time_) return;
   frames_by_time_ = passed;
   frames_->write(dem, liquid);
+}
+
+/// The cells of a row, in the order of columns().
+void Outputs::write_row(const dem::Dem& dem, const dem::Snapshot& s, std::int64_t stage) {
+  const io::Cell none{std::string()};
+  std::vector<io::Cell> row = {s.time, dem.steps(), stage};
+  if (has_liquid_) {
+    const auto& l = figures_.liquid;
+    row.insert(row.end(), {l.superficial_velocity, l.pressure_drop, l.frit_pressure_drop,
+                           l.wall_shear, l.continuity_error, l.courant, l.largest_solid_fraction});
+  }
+  if (has_bed_) {
+    const auto share = figures_.compression();
+    row.insert(row.end(), {figures_.bed.height, share ? io::Cell(*share) : none,
+                           figures_.bed.mean_porosity, figures_.bed.middle_porosity,
+                           figures_.floor_force, figures_.wall_shear, figures_.budget_error});
+  }
+  if (has_plunger_) {
+    const auto& p = figures_.plunger;
+    const double h0 = figures_.settled_height;
+    const bool is_there = p.position < column::lid_away;
+    row.insert(row.end(), {is_there ? io::Cell(p.position) : none,
+                           is_there && h0 > 0.0 ? io::Cell(1.0 - p.position / h0) : none, p.force,
+                           p.force / mesh::cross_section(case_.column.shape)});
+  }
+  row.insert(row.end(), {s.mean_overlap, s.max_overlap_ratio, s.coordination_number,
+                         s.kinetic_energy, s.elastic_energy, figures_.kinetic_to_elastic,
+                         figures_.unbalanced_force, dem.options().step, dem.bead_count()});
+  for (const auto& force : s.wall_force) {
+    for (const double component : as_array(force)) row.emplace_back(component);
+  }
+  series_->row(row);
+  if (case_.output.beads_csv) write_bead_csv(s);
 }
 
 void Outputs::stage_end(const dem::Dem& dem, const column::CoupledBed* liquid, std::int64_t stage) {

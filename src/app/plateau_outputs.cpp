@@ -22,6 +22,7 @@ const std::vector<std::string> columns = {"plateau",
                                           "end_time_s",
                                           "superficial_velocity_m_s",
                                           "pressure_drop_Pa",
+                                          "frit_pressure_drop_Pa",
                                           "pressure_drop_per_height_Pa_m",
                                           "bed_height_m",
                                           "compression",
@@ -82,10 +83,10 @@ void PlateauOutputs::write(const column::Plateau& plateau,
     return cell(has_bed ? std::optional(value) : std::nullopt);
   };
   series_->row({count_, stage, plateau.start, plateau.end, l.superficial_velocity, l.pressure_drop,
-                of_bed(l.pressure_drop / f.bed.height), of_bed(f.bed.height), cell(f.compression()),
-                of_bed(f.bed.mean_porosity), of_bed(f.bed.middle_porosity), of_bed(f.floor_force),
-                of_bed(f.wall_shear), l.wall_shear, of_bed(f.budget_error), cell(plateau.noise),
-                std::int64_t{plateau.is_steady}});
+                l.frit_pressure_drop, of_bed(l.pressure_drop / f.bed.height), of_bed(f.bed.height),
+                cell(f.compression()), of_bed(f.bed.mean_porosity), of_bed(f.bed.middle_porosity),
+                of_bed(f.floor_force), of_bed(f.wall_shear), l.wall_shear, of_bed(f.budget_error),
+                cell(plateau.noise), std::int64_t{plateau.is_steady}});
 }
 
 // Along z over the whole column; across it over the middle half of the bed.

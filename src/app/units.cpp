@@ -26,6 +26,7 @@ const std::vector<Examples> examples = {
     {Dimension::temperature, {"20 degC", "293.15 K", "68 degF"}},
     {Dimension::force, {"0.5 N", "48 mN", "50 uN"}},
     {Dimension::frequency, {"30 Hz", "1800 min-1"}},
+    {Dimension::inverse_length, {"1e10 m-1"}},
     {Dimension::fraction, {"0.38", "38 %"}},
 };
 

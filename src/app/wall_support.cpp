@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "app/members.hpp"
 #include "app/print.hpp"
 #include "app/quantities.hpp"
 #include "app/wall_support_commands.hpp"
@@ -17,15 +18,6 @@ namespace bounds = setup::bounds;
 using continuum::BedDepth;
 
 constexpr double cm_h = 0.01 / 3600.0;  // in m/s
-
-std::vector<double> column_of(const std::vector<BedDepth>& profile,
-                              double BedDepth::*member,
-                              double factor = 1.0) {
-  std::vector<double> values;
-  values.reserve(profile.size());
-  for (const auto& at : profile) values.push_back(at.*member * factor);
-  return values;
-}
 
 void write_files(const WallSupportCommand& c, const std::vector<BedDepth>& p) {
   write_csv(

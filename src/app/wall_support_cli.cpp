@@ -92,6 +92,10 @@ void add_fit(CLI::App& parent, WallSupportFitCommand& o, Action& action) {
   c->add_option("--bound", o.bounds, "Bounds of a free parameter, \"B=10 kPa:1 MPa\"; repeat it")
       ->take_all();
   c->add_option("--starts", o.starts, "Starts of the search")->check(CLI::Range(1, 1000));
+  c->add_option(
+      "--intervals", o.intervals,
+      "linear (default), or profile: right where the data hardly determine a figure; takes "
+      "longer");
   c->add_option("--plot", o.plot, "Draw data and model to this file (SVG)");
   add_json(*c, o.json);
   c->callback([&] { action = [&] { return wall_support_fit(o); }; });

@@ -62,6 +62,7 @@ struct WallSupportFitCommand {
   std::string free = "B,bead-diameter,wall-friction,poisson,density-difference,settled-porosity";
   std::vector<std::string> bounds;  ///< "B=10 kPa:1 MPa"
   int starts = 8;
+  std::string intervals = "linear";
   std::string plot;
   bool json = false;
 };

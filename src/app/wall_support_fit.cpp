@@ -264,6 +264,7 @@ int wall_support_fit(const WallSupportFitCommand& c) {
   const auto w = read_wall_support(c.options, units);
   study::WallSupportFitOptions options{.free = read_free(c, units), .column = w.column};
   options.starts = c.starts;
+  options.intervals = read_intervals(c.intervals);
   std::optional<double> height;
   if (!c.options.height.empty()) height = w.column.height;
   const auto data = study::read_column_data(c.file, units, {.height = height});

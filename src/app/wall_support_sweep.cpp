@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "app/members.hpp"
 #include "app/print.hpp"
 #include "app/quantities.hpp"
 #include "app/wall_support_commands.hpp"
@@ -43,15 +44,6 @@ Point solve(const WallSupportBed& w, double diameter, double u) {
   p.stress = r.bottom_stress;
   p.extrapolated = w.calibrated && r.compression > *w.calibrated;
   return p;
-}
-
-std::vector<double> column_of(const std::vector<Point>& points,
-                              double Point::*member,
-                              double factor = 1.0) {
-  std::vector<double> values;
-  values.reserve(points.size());
-  for (const auto& p : points) values.push_back(p.*member * factor);
-  return values;
 }
 
 Json point_json(const Point& p) {

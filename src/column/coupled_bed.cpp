@@ -9,6 +9,7 @@
 
 #include "column/plunger.hpp"
 #include "core/exact_sum.hpp"
+#include "fluid/figures.hpp"
 
 namespace packbed::column {
 namespace {
@@ -101,6 +102,11 @@ double CoupledBed::flow() const {
   return std::get<fluid::Inlet>(fluid_.options().boundaries.inlet).superficial.at(time());
 }
 
+double CoupledBed::interval_within_limit(double wanted, double coming) const {
+  const double rate = fluid::courant_rate(fluid_, coming);
+  return rate * wanted > largest_courant ? largest_courant / rate : wanted;
+}
+
 void CoupledBed::load(const fluid::FluidState& state, const dem::Dem& dem) {
   assert(state.top == mesh_.top());
   share_like(dem);
@@ -112,33 +118,34 @@ void CoupledBed::load(const fluid::FluidState& state, const dem::Dem& dem) {
 LiquidFigures CoupledBed::figures() const {
   const auto& d = fluid_.domain();
   const auto& border = fluid_.border();
-  // Area, p A, and flux at the inlet, the same at the outlet; shear of the walls.
-  std::array<std::vector<double>, 7> terms;
+  // Area, p A, flux, and frit's pressure drop times A at the inlet, the same at the outlet; shear of the walls.
+  std::array<std::vector<double>, 9> terms;
   for (std::size_t b = 0; b < border.size(); ++b) {
     const std::size_t f = d.inner() + b;
     if (!d.is_own(d.owner(f))) continue;
     const double area = d.geometry.area[f];
     if (border.kind[b] == fluid::BorderKind::wall) {
-      terms[6].push_back(-fluid_.wall_shear(b).z);
+      terms[8].push_back(-fluid_.wall_shear(b).z);
       continue;
     }
     const bool is_inlet = border.patch[b] == mesh::Patch::inlet;
     if (!is_inlet && border.patch[b] != mesh::Patch::outlet) continue;
-    const std::size_t first = is_inlet ? 0 : 3;
+    const std::size_t first = is_inlet ? 0 : 4;
     terms[first].push_back(area);
     terms[first + 1].push_back(area * fluid_.border_pressure()[b]);
     terms[first + 2].push_back(fluid_.flux()[f]);
+    terms[first + 3].push_back((is_inlet ? -1.0 : 1.0) * fluid_.frit_slope(b) * fluid_.flux()[f]);
   }
-  std::array<double, 7> sums{};
-  for (std::size_t k = 0; k < 7; ++k) sums[k] = order_independent_sum(terms[k], ranks_);
-  const double p_in = sums[0] > 0.0 ? sums[1] / sums[0] : 0.0;
-  const double p_out = sums[3] > 0.0 ? sums[4] / sums[3] : 0.0;
-  const double through = sums[0] > 0.0 ? 0.0 - sums[2] / sums[0] : 0.0;  // no "-0"
+  std::array<double, 9> sums{};
+  for (std::size_t k = 0; k < sums.size(); ++k) sums[k] = order_independent_sum(terms[k], ranks_);
+  const auto mean = [](double sum, double area) { return area > 0.0 ? sum / area : 0.0; };
+  const double through = 0.0 - mean(sums[2], sums[0]);  // no "-0"
   return {.superficial_velocity = through - plunger_speed_,
           .plunger_moves = plunger_speed_ != 0.0,
-          .pressure_drop = p_in - p_out,
-          .pressure_force = sums[1] - sums[4],
-          .wall_shear = sums[6],
+          .pressure_drop = mean(sums[1], sums[0]) - mean(sums[5], sums[4]),
+          .frit_pressure_drop = mean(sums[3], sums[0]) + mean(sums[7], sums[4]),
+          .pressure_force = sums[1] - sums[5],
+          .wall_shear = sums[8],
           .continuity_error = report_.continuity_error,
           .courant = report_.courant,
           .largest_solid_fraction = coupling_->figures().largest_solid_fraction,

@@ -25,8 +25,9 @@ struct CoupledOptions {
 struct LiquidFigures {
   /// Downwards: through the inlet, and what a plunger that moves displaces [m/s].
   double superficial_velocity = 0.0;
-  bool plunger_moves = false;   ///< in the past interval
-  double pressure_drop = 0.0;   ///< inlet less outlet, without the hydrostatic part [Pa]
+  bool plunger_moves = false;       ///< in the past interval
+  double pressure_drop = 0.0;       ///< inlet less outlet, without the hydrostatic part [Pa]
+  double frit_pressure_drop = 0.0;  ///< of both frits, on top of that [Pa]
   double pressure_force = 0.0;  ///< on the whole content, downwards: sum of p n over both ends [N]
   double wall_shear = 0.0;      ///< of the liquid on the walls, downwards [N]
   double continuity_error = 0.0;
@@ -34,6 +35,9 @@ struct LiquidFigures {
   double largest_solid_fraction = 0.0;  ///< of a cell
   double largest_reynolds = 0.0;        ///< of a bead
 };
+
+/// Of the liquid between two exchanges; the scheme is stable beyond.
+inline constexpr double largest_courant = 1.0;
 
 class CoupledBed {
  public:
@@ -50,6 +54,10 @@ class CoupledBed {
   void set_flow(const fluid::FlowProgram& flow) { fluid_.set_inlet(flow); }
 
   [[nodiscard]] double flow() const;  ///< at the inlet now, as set [m/s]
+
+  /// As much of `wanted` [s] as keeps the Courant number of the liquid below `largest_courant`: with its present
+  /// velocities, and with a superficial velocity of `coming` in space [m/s]. All ranks call it.
+  [[nodiscard]] double interval_within_limit(double wanted, double coming) const;
 
   /// An interval: `count` time steps of the beads, as long a step of the liquid, and the exchange. The upper
   /// end of the mesh goes with the plunger.

@@ -10,7 +10,6 @@
 #include <new>
 #include <vector>
 
-#include <malloc.h>
 #include <sys/mman.h>
 
 namespace packbed {
@@ -29,10 +28,6 @@ inline void* give_back(void* first, void* last) {
           (end - begin) * huge_page, MADV_DONTNEED);
   return go_on;
 }
-
-/// Lets memory of 4 MiB and more come from the system and go back there when it is freed (glibc would keep
-/// up to 32 MiB each for later). Call it first in main.
-inline void return_freed_memory() { mallopt(M_MMAP_THRESHOLD, 4 << 20); }
 
 template <class T>
 struct AlignedAllocator {

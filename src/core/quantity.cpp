@@ -28,6 +28,7 @@ constexpr std::array dimension_table = {
     DimensionInfo{Dimension::temperature, "temperature", "K", "K", "20 degC"},
     DimensionInfo{Dimension::force, "force", "N", "N", "0.5 N"},
     DimensionInfo{Dimension::frequency, "frequency", "Hz", "Hz", "30 Hz"},
+    DimensionInfo{Dimension::inverse_length, "inverse length", "m-1", "1_m", "1e10 m-1"},
     DimensionInfo{Dimension::fraction, "fraction", "1", "", "0.38"},
 };
 

@@ -24,6 +24,7 @@ enum class Dimension {
   temperature,
   force,
   frequency,
+  inverse_length,
   fraction,
 };
 

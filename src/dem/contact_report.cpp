@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "dem/dem.hpp"
 
@@ -41,6 +42,7 @@ ContactLoad load_of(const ContactModel& model,
 // A contact between two ranks is told by the rank of its first bead; the order is that of the ids.
 std::vector<ContactReport> Dem::touching_contacts() const {
   std::vector<ContactReport> reports;
+  reports.reserve(contacts_.size());  // more than there are, but memory only where they are
   const auto& p = particles_;
   for (std::size_t q = 0; q < contacts_.size(); ++q) {
     const auto pair = contacts_.pair(q);
@@ -84,7 +86,7 @@ std::vector<ContactReport> Dem::touching_contacts() const {
                          .overlap = c.overlap});
     }
   }
-  reports = ranks_.gather(reports);
+  reports = ranks_.gather(std::move(reports));
   std::ranges::sort(reports, {}, [](const ContactReport& r) {
     return std::tuple(r.id_i, r.id_j, r.branch.x, r.branch.y, r.branch.z);
   });

@@ -13,6 +13,12 @@ BorderKind kind_of(const BoundaryCondition& condition) {
   return BorderKind::slip;
 }
 
+double frit_resistance_of(const BoundaryCondition& condition) {
+  if (const auto* inlet = std::get_if<Inlet>(&condition)) return inlet->frit_resistance;
+  if (const auto* outlet = std::get_if<Outlet>(&condition)) return outlet->frit_resistance;
+  return 0.0;
+}
+
 }  // namespace
 
 Border border(const Boundaries& boundaries, const Domain& domain) {
@@ -28,6 +34,7 @@ Border border(const Boundaries& boundaries, const Domain& domain) {
       const Vec3 velocity = wall != nullptr ? wall->velocity : Vec3{};
       all.kind.push_back(kind);
       all.patch.push_back(faces.patch);
+      all.frit_resistance.push_back(frit_resistance_of(condition));
       all.wall_velocity.push_back(velocity - dot(velocity, n) * n);
       all.wall_eps.push_back(wall != nullptr ? wall->void_fraction.value_or(0.0) : 0.0);
     }

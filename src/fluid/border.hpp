@@ -22,8 +22,9 @@ struct Border {
   std::vector<Vec3> wall_velocity;  ///< along the face; 0 where there is no wall [m/s]
   std::vector<double> wall_eps;     ///< void fraction at a wall; 0: that of the cell
   std::vector<double> inward;    ///< superficial velocity into the column, through the patch [m/s]
-  std::vector<double> pressure;  ///< dynamic pressure at outlets [Pa]
-  bool has_outlet = false;       ///< of any rank
+  std::vector<double> pressure;  ///< dynamic pressure at outlets, behind the frit [Pa]
+  std::vector<double> frit_resistance;  ///< of inlets and outlets, else 0 [1/m]
+  bool has_outlet = false;              ///< of any rank
 
   [[nodiscard]] std::size_t size() const { return kind.size(); }
 };

@@ -35,13 +35,15 @@ struct Empty {
 /// A known volume flux over the whole patch, with no velocity along it. Positive: into the column. It is
 /// what passes the patch itself: a plunger that moves displaces liquid besides.
 struct Inlet {
-  FlowProgram superficial{};  ///< [m/s]
+  FlowProgram superficial{};     ///< [m/s]
+  double frit_resistance = 0.0;  ///< thickness over permeability of the frit before it [1/m]
   bool operator==(const Inlet&) const = default;
 };
 
-/// A known pressure at the patch. What flows back in has no velocity along the patch.
+/// A known pressure behind the frit of the patch. What flows back in has no velocity along the patch.
 struct Outlet {
-  double pressure = 0.0;  ///< [Pa]
+  double pressure = 0.0;         ///< [Pa]
+  double frit_resistance = 0.0;  ///< thickness over permeability [1/m]
   bool operator==(const Outlet&) const = default;
 };
 

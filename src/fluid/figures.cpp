@@ -2,6 +2,7 @@
 #include "fluid/figures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/exact_sum.hpp"
@@ -59,6 +60,25 @@ std::vector<double> level_fluxes(const Fluid& fluid) {
     if (source.layer == 0 && d.mesh.is_periodic_in_z()) sums.add(levels - 1, upward(f));
   }
   return sums.totals(d.ranks);
+}
+
+double courant_rate(const Fluid& fluid, double superficial) {
+  constexpr double unevenness = 1.5;
+  const auto& d = fluid.domain();
+  std::vector<double> through(d.cells(), 0.0);
+  for (std::size_t f = 0; f < d.faces(); ++f) {
+    const double half = 0.5 * d.geometry.area[f] * std::abs(fluid.q()[f]);
+    through[d.owner(f)] += half;
+    if (f < d.inner()) through[d.neighbor(f)] += half;
+  }
+  std::array<double, 2> largest{};  // now, 1 / eps
+  for (std::size_t c = 0; c < d.own(); ++c) {
+    largest[0] = std::max(largest[0], through[c] / (d.part.volume[c] * fluid.eps()[c]));
+    largest[1] = std::max(largest[1], 1.0 / fluid.eps()[c]);
+  }
+  d.ranks.max(largest);
+  const double coming = std::abs(superficial) * d.mesh.layers() / d.mesh.top() * largest[1];
+  return largest[0] >= coming ? largest[0] : unevenness * coming;
 }
 
 double next_step(const StepControl& control, double dt, double courant) {

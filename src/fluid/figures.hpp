@@ -23,6 +23,11 @@ Vec3 wall_shear(const Fluid& fluid);
 /// values [m3/s]. Relative to space, not to levels that move.
 std::vector<double> level_fluxes(const Fluid& fluid);
 
+/// Courant number per time step [1/s]: the largest sum_f |S q| / (2 eps V) of a cell. Where a flow of `superficial`
+/// [m/s] along the column through the densest cell would be faster, it is still to come, and 1.5 times that counts:
+/// uneven beds are passed that much faster somewhere.
+double courant_rate(const Fluid& fluid, double superficial);
+
 /// How the time step follows the Courant number.
 struct StepControl {
   double courant = 0.5;   ///< aimed at; the largest of all cells, by interstitial velocity

@@ -240,6 +240,11 @@ void Fluid::set_balance(Step& s) {
   }
   domain_.halo.refresh(s.balance);
   s.conductance = conductances(domain_, s.balance);
+  for (std::size_t b = 0; b < border_.size(); ++b) {
+    if (border_.kind[b] != BorderKind::outlet) continue;
+    const auto f = domain_.inner() + b;
+    s.conductance[f] /= 1.0 + frit_slope(b) * s.conductance[f] / domain_.geometry.area[f];
+  }
   s.damping = damping(domain_, s.balance);
 }
 
@@ -378,7 +383,7 @@ void Fluid::finish(Step& s) {
   for (std::size_t b = 0; b < border_.size(); ++b) {
     const auto f = domain_.inner() + b;
     border_p_[b] = border_.kind[b] == BorderKind::outlet
-                       ? border_.pressure[b]
+                       ? border_.pressure[b] + frit_slope(b) * q_[f]
                        : p_[domain_.owner(f)] + s.push[f] - q_[f] * g.area[f] / s.conductance[f];
   }
   report(s);

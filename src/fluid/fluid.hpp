@@ -83,8 +83,12 @@ class Fluid {
   [[nodiscard]] const std::vector<Vec3>& pressure_gradient() const { return grad_p_; }
   /// Convective and viscous force per volume, own cells [N/m3].
   [[nodiscard]] const std::vector<Vec3>& force() const { return force_; }
-  /// Dynamic pressure at border faces [Pa].
+  /// Dynamic pressure at border faces, on the side of the column where there is a frit [Pa].
   [[nodiscard]] const std::vector<double>& border_pressure() const { return border_p_; }
+  /// Pressure drop of the frit at a border face over the superficial velocity through it [Pa s/m].
+  [[nodiscard]] double frit_slope(std::size_t border_face) const {
+    return options_.mu_f * border_.frit_resistance[border_face];
+  }
   /// Force of the liquid on the wall at a border face, along it; 0 where there is no wall [N].
   [[nodiscard]] Vec3 wall_shear(std::size_t border_face) const {
     return fluid::wall_shear(domain_, border_, options_, flow(), face_eps_, border_face);

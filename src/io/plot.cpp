@@ -88,7 +88,12 @@ Range data_range(const PlotPanel& panel, bool of_x) {
   return range;
 }
 
-// A linear axis that nearly reaches 0 begins there; y gets some air.
+// Points with error bars on the frame would be cut.
+bool has_error_bars(const PlotPanel& panel) {
+  return std::ranges::any_of(panel.series, [](const auto& s) { return !s.y_error.empty(); });
+}
+
+// A linear axis that nearly reaches 0 begins there; y gets some air, and x where it needs it.
 Scale make_scale(const PlotPanel& panel, bool of_x, double start, double length) {
   const auto& axis = of_x ? panel.x : panel.y;
   auto [low, high] = data_range(panel, of_x);
@@ -101,18 +106,12 @@ Scale make_scale(const PlotPanel& panel, bool of_x, double start, double length)
     low -= half;
     high += half;
   }
-  if (!axis.range && !axis.logarithmic) {
-    const bool from_zero = low >= 0.0 && low < 0.35 * high;
-    if (!of_x) {
-      const double air = 0.06 * (high - low);
-      high += air;
-      low -= air;
-    }
-    if (from_zero) low = 0.0;
-  } else if (!axis.range && !of_x) {
-    const double air = 0.04 * (high - low);
+  if (!axis.range) {
+    const bool from_zero = !axis.logarithmic && low >= 0.0 && low < 0.35 * high;
+    const double share = axis.logarithmic ? 0.04 : 0.06;
+    const double air = !of_x || has_error_bars(panel) ? share * (high - low) : 0.0;
     high += air;
-    low -= air;
+    low = from_zero ? 0.0 : low - air;
   }
   return {axis.logarithmic, low, high, start, length};
 }

@@ -85,6 +85,7 @@ std::string liquid_line(const RunData& run, const UnitSystem& units) {
 std::string coupling_line(const Json& v) {
   return listed({{"drag law", text(v, "/drag/law")},
                  {"smallest void fraction it sees", text(v, "/drag/min_void_fraction")},
+                 {"void fraction at walls", text(v, "/liquid/wall_void_fraction")},
                  {"overlaps", text(v, "/coupling/overlap")},
                  {"averaging width", text(v, "/coupling/averaging_width")},
                  {"interval", text(v, "/coupling/interval")},
@@ -120,6 +121,16 @@ std::string key_of(std::string_view pointer) {
   return key;
 }
 
+/// Kinds of the steps of a protocol, those that are repeated in brackets: "settle [cycle ]".
+std::string kinds(const Json& steps) {
+  std::string all;
+  for (const auto& step : steps) {
+    all += step.value("step", "") + ' ';
+    if (step.contains("steps") && step["steps"].is_array()) all += '[' + kinds(step["steps"]) + ']';
+  }
+  return all;
+}
+
 }  // namespace
 
 std::vector<CaseLine> case_lines(const RunData& run, const UnitSystem& units) {
@@ -139,12 +150,22 @@ std::vector<CaseLine> case_lines(const RunData& run, const UnitSystem& units) {
   return lines;
 }
 
+bool have_same_steps(const std::vector<RunData>& runs) {
+  const auto kinds_of = [](const RunData& run) {
+    return kinds(run.values.value("protocol", Json::array()));
+  };
+  return std::ranges::all_of(
+      runs, [&](const RunData& run) { return kinds_of(run) == kinds_of(runs.front()); });
+}
+
 std::vector<Difference> differences(const std::vector<RunData>& runs) {
   std::vector<Difference> all;
+  const bool compares_steps = have_same_steps(runs);
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const auto flat = runs[r].values.flatten();
     for (const auto& [pointer, value] : flat.items()) {
       if (pointer == "/title" || pointer.starts_with("/output/")) continue;
+      if (!compares_steps && pointer.starts_with("/protocol")) continue;
       const auto found = std::ranges::find(all, pointer, &Difference::key);
       auto& row =
           found != all.end()

@@ -31,7 +31,9 @@ struct Difference {
   std::string key;                  ///< "resin.friction"
   std::vector<std::string> values;  ///< one per run; empty where the case does not have it
 };
-/// Titles and outputs left out.
+/// Whether the protocols have the same kinds of steps, one by one.
+bool have_same_steps(const std::vector<RunData>& runs);
+/// Titles and outputs left out, and protocols of other steps, which do not compare key by key.
 std::vector<Difference> differences(const std::vector<RunData>& runs);
 
 }  // namespace packbed::report

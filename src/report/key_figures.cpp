@@ -32,7 +32,10 @@ void add_flow(const RunData& run, std::vector<KeyFigure>& figures) {
   const auto resistance = kozeny_carman_resistance(run);
   figures.push_back(
       {"Highest superficial velocity", written(flow.velocity, per_cm_h, "{:.4g} cm/h")});
-  figures.push_back({"Pressure drop there", written(flow.pressure_drop, per_bar, "{:.4g} bar")});
+  figures.push_back({"Pressure drop there", written(flow.pressure_drop, per_bar, "{:.4g} bar"),
+                     flow.frit_pressure_drop > 0.0
+                         ? written(flow.frit_pressure_drop, per_bar, "frits besides: {:.4g} bar")
+                         : ""});
   figures.push_back({"Per present bed height",
                      written(flow.pressure_gradient, per_bar, "{:.4g} bar/m"),
                      written(resistance.value_or(unknown) * flow.velocity, per_bar,

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "report/case_words.hpp"
 #include "report/html.hpp"
 #include "report/key_figures.hpp"
 #include "report/plots.hpp"
@@ -49,15 +48,6 @@ std::string tiles(const RunData& run) {
   }
   if (html.empty()) return {};
   return section("figures", "Key figures", fmt::format("<dl class=\"tiles\">\n{}</dl>\n", html));
-}
-
-std::string steps_list(const std::vector<Sentence>& sentences) {
-  std::string items;
-  for (const auto& s : sentences) {
-    items +=
-        fmt::format("<li>{}{}</li>\n", escaped(s.text), s.parts.empty() ? "" : steps_list(s.parts));
-  }
-  return fmt::format("<ol>\n{}</ol>\n", items);
 }
 
 std::string case_section(const RunData& run, const UnitSystem& units) {
@@ -116,7 +106,7 @@ std::string page(std::vector<RunData> runs, const UnitSystem& units) {
   const bool is_one = runs.size() == 1;
   auto body = warnings_box(runs);
   body += is_one ? tiles(runs[0]) + case_section(runs[0], units)
-                 : scorecard_section(runs) + figure_table(runs) + difference_table(runs);
+                 : scorecard_section(runs) + figure_table(runs) + difference_table(runs, units);
   auto data = Json::array();
   for (auto* plots : {flow_plots, plunger_plots, time_plots, section_plots, evenness_plots}) {
     body += plot_section(plots(runs), data);

@@ -110,16 +110,19 @@ std::vector<Profile> read_tables(const fs::path& folder, std::string_view begin)
 std::vector<Plateau> read_plateaus(const fs::path& file) {
   const Columns table(file);
   std::vector<Plateau> plateaus;
+  const bool has_frits = table.has("frit_pressure_drop_Pa");  // runs of before had none
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    plateaus.push_back({.stage = static_cast<int>(table["stage"][i]),
-                        .time = table["end_time_s"][i],
-                        .velocity = table["superficial_velocity_m_s"][i],
-                        .pressure_drop = table["pressure_drop_Pa"][i],
-                        .pressure_gradient = table["pressure_drop_per_height_Pa_m"][i],
-                        .bed_height = table["bed_height_m"][i],
-                        .compression = table["compression"][i],
-                        .pressure_noise = table["pressure_noise"][i],
-                        .steady = table["steady"][i] != 0.0});
+    plateaus.push_back(
+        {.stage = static_cast<int>(table["stage"][i]),
+         .time = table["end_time_s"][i],
+         .velocity = table["superficial_velocity_m_s"][i],
+         .pressure_drop = table["pressure_drop_Pa"][i],
+         .frit_pressure_drop = has_frits ? table["frit_pressure_drop_Pa"][i] : unknown,
+         .pressure_gradient = table["pressure_drop_per_height_Pa_m"][i],
+         .bed_height = table["bed_height_m"][i],
+         .compression = table["compression"][i],
+         .pressure_noise = table["pressure_noise"][i],
+         .steady = table["steady"][i] != 0.0});
   }
   return plateaus;
 }

@@ -25,11 +25,12 @@ inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 /// The bed at the end of a plateau of the flow. What was not written is NaN.
 struct Plateau {
   int stage = 0;
-  double time = unknown;               ///< [s]
-  double velocity = unknown;           ///< superficial [m/s]
-  double pressure_drop = unknown;      ///< [Pa]
-  double pressure_gradient = unknown;  ///< per present bed height [Pa/m]
-  double bed_height = unknown;         ///< [m]
+  double time = unknown;                ///< [s]
+  double velocity = unknown;            ///< superficial [m/s]
+  double pressure_drop = unknown;       ///< of the bed [Pa]
+  double frit_pressure_drop = unknown;  ///< of both frits, besides [Pa]
+  double pressure_gradient = unknown;   ///< per present bed height [Pa/m]
+  double bed_height = unknown;          ///< [m]
   double compression = unknown;
   double pressure_noise = unknown;  ///< standard deviation over mean of the pressure drop
   bool steady = true;

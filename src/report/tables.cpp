@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "report/case_words.hpp"
 #include "report/html.hpp"
 #include "report/key_figures.hpp"
 
@@ -58,8 +57,24 @@ std::string figure_table(const std::vector<RunData>& runs) {
   return section("figures", "Key figures", table(head_cells(runs), rows));
 }
 
-std::string difference_table(const std::vector<RunData>& runs) {
+std::string steps_list(const std::vector<Sentence>& sentences) {
+  std::string items;
+  for (const auto& s : sentences) {
+    items +=
+        fmt::format("<li>{}{}</li>\n", escaped(s.text), s.parts.empty() ? "" : steps_list(s.parts));
+  }
+  return fmt::format("<ol>\n{}</ol>\n", items);
+}
+
+std::string difference_table(const std::vector<RunData>& runs, const UnitSystem& units) {
   std::string rows;
+  if (!have_same_steps(runs)) {
+    rows += "<tr><th scope=\"row\">protocol</th>";
+    for (const auto& run : runs) {
+      rows += fmt::format("<td>{}</td>", steps_list(protocol_sentences(run, units)));
+    }
+    rows += "</tr>\n";
+  }
   for (const auto& difference : differences(runs)) rows += row(difference.key, difference.values);
   if (rows.empty()) {
     return section("case", "What differs", "<p>The cases have the same values.</p>\n");

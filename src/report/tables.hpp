@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "report/run_data.hpp"
+#include "report/case_words.hpp"
 
 namespace packbed::report {
 
@@ -17,8 +17,11 @@ std::string section(const std::string& id, const std::string& title, const std::
 /// Key figures of several runs, one column each.
 std::string figure_table(const std::vector<RunData>& runs);
 
-/// Values of the cases that are not the same in all of them.
-std::string difference_table(const std::vector<RunData>& runs);
+/// Steps of a protocol as a list with numbers.
+std::string steps_list(const std::vector<Sentence>& sentences);
+
+/// Values of the cases that are not the same in all of them; protocols of other steps side by side, in words.
+std::string difference_table(const std::vector<RunData>& runs, const UnitSystem& units);
 
 /// Wall times of the stages with bars; empty where the run did not write them.
 std::string times_table(const RunData& run);

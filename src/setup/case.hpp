@@ -31,6 +31,8 @@ struct ColumnOptions {
   mesh::ColumnShape shape;
   Material wall;                          ///< of the tube, or of all walls of a box
   Material frit;                          ///< of both ends
+  double inlet_resistance = 0.0;          ///< of the frit there, thickness / permeability [1/m]
+  double outlet_resistance = 0.0;         ///< likewise [1/m]
   std::optional<mesh::MeshOptions> mesh;  ///< for the liquid; none when dry
   /// Superficial velocity of a relative hydrodynamic load (RHL) of 1 [m/s].
   std::optional<double> full_load{};
@@ -64,9 +66,10 @@ struct ResinOptions {
 
 struct LiquidOptions {
   std::string name;
-  double density;                     ///< [kg/m3]
-  double viscosity;                   ///< [Pa s]
-  std::optional<double> temperature;  ///< [K]; none where density and viscosity were given
+  double density;                              ///< [kg/m3]
+  double viscosity;                            ///< [Pa s]
+  std::optional<double> temperature;           ///< [K]; none where density and viscosity were given
+  std::optional<double> wall_void_fraction{};  ///< at walls, in their shear; none: that of the cell
   bool operator==(const LiquidOptions&) const = default;
 };
 

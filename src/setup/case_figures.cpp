@@ -11,8 +11,9 @@
 namespace packbed::setup {
 namespace {
 
-// Measured at the peak of a run with its outputs (docs/performance.md, "Memory").
-constexpr double bytes_per_bead = 900.0;
+// Measured at the peak of runs (docs/performance.md, "Memory").
+constexpr double bytes_per_bead = 1100.0;
+constexpr double bytes_per_bead_with_frames = 1700.0;
 
 double sphere(double diameter) { return std::numbers::pi / 6.0 * std::pow(diameter, 3); }
 
@@ -122,6 +123,7 @@ CaseFigures figures(const Case& c) {
   f.step = step_of(c);
   f.run_time = run_time(c.protocol);
   f.memory = f.bead_count * bytes_per_bead;
+  f.memory_with_frames = c.output.frames ? f.bead_count * bytes_per_bead_with_frames : f.memory;
   return f;
 }
 

@@ -49,6 +49,7 @@ struct CaseFigures {
   dem::StepChoice step = {};               ///< of the beads, and what it rests on
   double run_time = 0.0;                   ///< simulated by steps that just run [s]
   double memory = 0.0;                     ///< of beads and contacts [B]
+  double memory_with_frames = 0.0;         ///< while frames of a settled bed are written [B]
 };
 
 /// Particle-steps per second of one core, for the expected run time; docs/performance.md.

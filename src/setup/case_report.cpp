@@ -148,6 +148,10 @@ std::string check_text(const Case& c, const CaseFigures& f) {
   }
   text += "#\n# Computer\n";
   text += figure("memory of beads and contacts", fmt::format("{:.3g} MB", f.memory * 1e-6));
+  if (c.output.frames) {
+    text +=
+        figure("while frames are written", fmt::format("{:.3g} MB", f.memory_with_frames * 1e-6));
+  }
   return text + "\n" + to_toml(c.echo);
 }
 
@@ -205,6 +209,7 @@ Json figures_json(const Case& c, const CaseFigures& f) {
                       {"run_steps", std::llround(f.run_time / f.step.step)}};
   }
   j["memory_of_beads_B"] = f.memory;
+  j["memory_with_frames_B"] = f.memory_with_frames;
   return j;
 }
 

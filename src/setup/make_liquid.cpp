@@ -19,12 +19,16 @@ double mean(const std::optional<double>& resin, const std::vector<double>& colum
   return std::accumulate(column.begin(), column.end(), 0.0) / static_cast<double>(column.size());
 }
 
-fluid::Boundaries boundaries_of(const mesh::ColumnShape& shape) {
+fluid::Boundaries boundaries_of(const ColumnOptions& column, const LiquidOptions& liquid) {
   fluid::Boundaries b;
-  const auto* box = std::get_if<mesh::Box>(&shape);
+  b.inlet = fluid::Inlet{.superficial = {}, .frit_resistance = column.inlet_resistance};
+  b.outlet = fluid::Outlet{.pressure = 0.0, .frit_resistance = column.outlet_resistance};
+  const fluid::Wall column_wall{.velocity = {}, .void_fraction = liquid.wall_void_fraction};
+  b.wall = b.x_low = b.x_high = column_wall;
+  const auto* box = std::get_if<mesh::Box>(&column.shape);
   if (box == nullptr) return b;
   const auto side = [&](std::size_t axis) -> fluid::BoundaryCondition {
-    if (box->boundaries[axis] == mesh::Boundary::wall) return fluid::Wall{};
+    if (box->boundaries[axis] == mesh::Boundary::wall) return column_wall;
     return fluid::Empty{};  // open, or periodic of a single cell
   };
   b.x_low = b.x_high = side(0);
@@ -91,7 +95,7 @@ column::CoupledOptions coupled_options(const Case& c) {
   o.fluid.rho_f = c.liquid->density;
   o.fluid.mu_f = c.liquid->viscosity;
   o.fluid.gravity = {0.0, 0.0, c.numerics.gravity ? -gravity : 0.0};
-  o.fluid.boundaries = boundaries_of(c.column.shape);
+  o.fluid.boundaries = boundaries_of(c.column, *c.liquid);
   o.coupling.drag = drag_law(c.drag.law);
   o.coupling.min_void_fraction = c.drag.min_void_fraction;
   o.coupling.overlap = c.coupling.overlap == OverlapRuleName::merged ? coupling::OverlapRule::merged

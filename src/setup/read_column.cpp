@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -44,15 +45,35 @@ mesh::Box read_box(Section& section) {
 }
 
 // Stiffer than any bead: thesis table B.2.
-Material read_material(Section section) {
+Material read_material(Section& section) {
   const Fallback modulus{"10 GPa", "default: thesis table B.2"};
   const Fallback poisson{"0.5", "default: thesis table B.2"};
   const Material material{.youngs_modulus = section.quantity("youngs_modulus", Dimension::pressure,
                                                              bounds::positive, modulus),
                           .poisson_ratio = section.quantity("poisson_ratio", Dimension::fraction,
                                                             bounds::poisson_ratio, poisson)};
+  return material;
+}
+
+Material read_wall(Section section) {
+  const auto material = read_material(section);
   section.finish();
   return material;
+}
+
+void read_frits(Section section, ColumnOptions& column, bool has_liquid) {
+  column.frit = read_material(section);
+  for (const auto& [key, resistance] :
+       {std::pair{"inlet_resistance", &column.inlet_resistance},
+        std::pair{"outlet_resistance", &column.outlet_resistance}}) {
+    if (has_liquid) {
+      *resistance =
+          section.quantity(key, Dimension::inverse_length, bounds::not_negative, Fallback{"0 m-1"});
+    } else {
+      section.refuse(key, "needs a [liquid] section");
+    }
+  }
+  section.finish();
 }
 
 mesh::ColumnShape read_shape(Section& section) {
@@ -112,16 +133,17 @@ mesh::MeshOptions read_mesh(Section section, const mesh::ColumnShape& shape) {
 ColumnOptions read_column(Section section, bool has_liquid) {
   section.mention({"shape", "inner_diameter", "slice_depth", "height", "size", "boundaries", "wall",
                    "frit", "mesh", "full_load"});
-  ColumnOptions column{.shape = read_shape(section), .wall = {}, .frit = {}, .mesh = {}};
+  ColumnOptions column;
+  column.shape = read_shape(section);
   column.full_load = section.optional_flow("full_load", mesh::flow_cross_section(column.shape));
   if (column.full_load && *column.full_load <= 0.0) section.fail("full_load", "must be positive");
   if (column.full_load && !has_liquid) section.fail("full_load", "needs a [liquid] section");
-  column.wall = read_material(section.table("wall"));
+  column.wall = read_wall(section.table("wall"));
   if (std::holds_alternative<mesh::Box>(column.shape)) {
     section.refuse("frit", "does not apply to shape = \"box\", whose walls are all column.wall");
     column.frit = column.wall;
   } else {
-    column.frit = read_material(section.table("frit"));
+    read_frits(section.table("frit"), column, has_liquid);
   }
   if (has_liquid) {
     column.mesh = read_mesh(section.table("mesh"), column.shape);

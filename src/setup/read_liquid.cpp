@@ -19,7 +19,7 @@ constexpr Bounds liquid_water{.low = 273.15,
 
 LiquidOptions read_liquid(Section section) {
   LiquidOptions liquid{};
-  section.mention({"name", "temperature", "density", "viscosity"});
+  section.mention({"name", "temperature", "density", "viscosity", "wall_void_fraction"});
   const bool own_values = section.has("density") || section.has("viscosity");
   liquid.name = section.word("name", Fallback{own_values ? "own" : "water"});
   if (edit_distance(liquid.name, "water") != 0 && !own_values) {
@@ -36,6 +36,8 @@ LiquidOptions read_liquid(Section section) {
     liquid.density = continuum::water_density(t);
     liquid.viscosity = continuum::water_viscosity(t);
   }
+  liquid.wall_void_fraction = section.quantity_or_word(
+      "wall_void_fraction", Dimension::fraction, bounds::void_fraction, "bed", Fallback{"bed"});
   section.finish();
   return liquid;
 }

@@ -42,6 +42,8 @@ inline constexpr Bounds positive{.low = 0.0, .refusal = "must be positive"};
 inline constexpr Bounds not_negative{
     .low = 0.0, .low_belongs = true, .refusal = "must not be negative"};
 inline constexpr Bounds between_0_and_1{.low = 0.0, .high = 1.0, .refusal = "is outside (0, 1)"};
+inline constexpr Bounds void_fraction{
+    .low = 0.0, .high = 1.0, .high_belongs = true, .refusal = "is outside (0, 1]"};
 inline constexpr Bounds restitution{
     .low = 0.0,
     .high = 1.0,

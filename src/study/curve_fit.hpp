@@ -10,6 +10,7 @@
 
 #include "continuum/bead/curve.hpp"
 #include "study/least_squares.hpp"
+#include "study/profile.hpp"
 
 namespace packbed::study {
 
@@ -26,7 +27,18 @@ struct CurveFit {
   std::vector<double> x;      ///< of the rows used: time [s] or displacement [m]
   std::vector<double> data;   ///< force [N]
   std::vector<double> model;  ///< force [N]
+  FitProblem problem;         ///< what `fit` solves; it holds copies of the data
+  std::vector<std::function<double(std::span<const double>)>>
+      figures_of;  ///< each figure from the parameters
 };
+
+/// Adds a figure that follows from the parameters, with its error.
+void add_figure(CurveFit& fit,
+                const std::string& name,
+                const std::function<double(std::span<const double>)>& figure);
+
+/// Makes all intervals anew by profile likelihood (profile.hpp). Some dozen fits per figure.
+void profile_intervals(CurveFit& fit);
 
 /// By name among parameters and figures. Null if it has none.
 const Estimate* find(const CurveFit& fit, const std::string& name);

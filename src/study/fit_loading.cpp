@@ -49,14 +49,15 @@ CurveFit fit_rows(const continuum::BeadCurve& curve,
                   const std::function<double(std::span<const double>, std::size_t)>& force,
                   const std::vector<std::vector<double>>& starts) {
   const double most = positive_maximum(rows.force);
-  FitProblem problem;
-  problem.parameters = std::move(parameters);
-  problem.rows = rows.force.size();
-  problem.residuals = [&](std::span<const double> p, std::span<double> r) {
-    for (std::size_t i = 0; i < r.size(); ++i) r[i] = (force(p, i) - rows.force[i]) / most;
-  };
-  auto started = least_squares(problem, starts);
   CurveFit fit;
+  fit.problem.parameters = std::move(parameters);
+  fit.problem.rows = rows.force.size();
+  fit.problem.residuals = [force, data = rows.force, most](std::span<const double> p,
+                                                           std::span<double> r) {
+    for (std::size_t i = 0; i < r.size(); ++i) r[i] = (force(p, i) - data[i]) / most;
+  };
+  fit.problem.starts = starts;
+  auto started = least_squares(fit.problem, starts);
   fit.curve = curve.name;
   fit.fit = std::move(started.fit);
   fit.starts = started.starts;
@@ -78,15 +79,13 @@ CurveFit fit_amplitude(const continuum::BeadCurve& curve,
   const double start = amplitudes({shape}, rows.force).values[0];
   if (!(start > 0.0)) throw ValueError("the force does not grow with the displacement");
   return fit_rows(curve, std::move(rows), {{name, start, 1e-3 * start, 1e3 * start, true}},
-                  [&](std::span<const double> p, std::size_t i) { return p[0] * shape[i]; },
+                  [shape](std::span<const double> p, std::size_t i) { return p[0] * shape[i]; },
                   {{start}});
 }
 
 void add_maxwell_figures(CurveFit& fit, double poisson) {
   const double to_e = continuum::youngs_modulus(1.0, poisson);
-  const auto add = [&](const char* name, auto figure) {
-    fit.figures.push_back(derived(fit.fit, name, figure));
-  };
+  const auto add = [&](const char* name, auto figure) { add_figure(fit, name, figure); };
   using P = std::span<const double>;
   add("eta_Pa_s", [](P p) { return p[1] * p[2]; });
   add("G_instantaneous_Pa", [](P p) { return p[0] + p[1]; });
@@ -98,9 +97,7 @@ void add_maxwell_figures(CurveFit& fit, double poisson) {
 // The Kelvin form of the same curve: relaxed = G0 G1/(G0+G1), arm = G0^2/(G0+G1), tau = eta/(G0+G1).
 void add_kelvin_figures(CurveFit& fit, double poisson) {
   const double to_e = continuum::youngs_modulus(1.0, poisson);
-  const auto add = [&](const char* name, auto figure) {
-    fit.figures.push_back(derived(fit.fit, name, figure));
-  };
+  const auto add = [&](const char* name, auto figure) { add_figure(fit, name, figure); };
   using P = std::span<const double>;
   const auto g0 = [](P p) { return p[0] + p[1]; };
   const auto g1 = [](P p) { return p[0] * (p[0] + p[1]) / p[1]; };
@@ -149,7 +146,7 @@ CurveFit fit_standard_linear_solid(const continuum::BeadCurve& curve,
       {{maxwell ? "G0_Pa" : "G_relaxed_Pa", g, 1e-4 * g, 1e2 * g, true},
        {maxwell ? "G1_Pa" : "G_arm_Pa", g, 1e-4 * g, 1e4 * g, true},
        {"tau_s", 0.1 * end, std::min(shortest, 1e-4 * end), 1e3 * end, true}},
-      [&](std::span<const double> p, std::size_t i) {
+      [stiff, time](std::span<const double> p, std::size_t i) {
         return stiff[i] * (p[0] + p[1] * continuum::ramp_remainder(time[i] / p[2]));
       },
       starts);
@@ -173,8 +170,8 @@ CurveFit fit_hooke(const continuum::BeadCurve& curve, const HookeOptions& option
   auto fit = fit_amplitude(curve, std::move(rows), "stiffness_N_m", shape);
   const continuum::HookeBead bead{
       {curve.radius, options.poisson}, 1.0, options.density, options.characteristic_velocity};
-  fit.figures.push_back(derived(
-      fit.fit, "E_Pa", [&](std::span<const double> p) { return bead.youngs_modulus_of(p[0]); }));
+  add_figure(fit, "E_Pa",
+             [bead](std::span<const double> p) { return bead.youngs_modulus_of(p[0]); });
   return fit;
 }
 
@@ -186,7 +183,7 @@ CurveFit fit_power_law(const continuum::BeadCurve& curve) {
   return fit_rows(curve, std::move(rows),
                   {{"exponent", 1.5, 0.1, 10.0, false},
                    {"force_at_end_N", most, 1e-3 * most, 1e3 * most, true}},
-                  [&](std::span<const double> p, std::size_t i) {
+                  [approach, end](std::span<const double> p, std::size_t i) {
                     return p[1] * std::pow(approach[i] / end, p[0]);
                   },
                   {{1.5, most}});

@@ -168,8 +168,8 @@ void add_moduli(CurveFit& fit,
     return p[k] / scale / ramp_correction(correction, hold.ramp_time / p[k + 1]);
   };
   for (int i = 0; i <= terms; ++i) {
-    fit.figures.push_back(derived(fit.fit, fmt::format("C{}_Pa", i),
-                                  [=](std::span<const double> p) { return coefficient(p, i); }));
+    add_figure(fit, fmt::format("C{}_Pa", i),
+               [=](std::span<const double> p) { return coefficient(p, i); });
   }
   const auto at_once = [=](std::span<const double> p) {  // eq. 3.32
     double sum = 0.0;
@@ -180,12 +180,11 @@ void add_moduli(CurveFit& fit,
     return 0.5 * coefficient(p, 0);
   };  // eq. 3.33
   const double to_e = 2.0 * (1.0 + shape.poisson);
-  fit.figures.push_back(derived(fit.fit, "G_instantaneous_Pa", at_once));
-  fit.figures.push_back(derived(fit.fit, "G_relaxed_Pa", relaxed));
-  fit.figures.push_back(derived(fit.fit, "E_instantaneous_Pa",
-                                [=](std::span<const double> p) { return to_e * at_once(p); }));
-  fit.figures.push_back(derived(fit.fit, "E_relaxed_Pa",
-                                [=](std::span<const double> p) { return to_e * relaxed(p); }));
+  add_figure(fit, "G_instantaneous_Pa", at_once);
+  add_figure(fit, "G_relaxed_Pa", relaxed);
+  add_figure(fit, "E_instantaneous_Pa",
+             [=](std::span<const double> p) { return to_e * at_once(p); });
+  add_figure(fit, "E_relaxed_Pa", [=](std::span<const double> p) { return to_e * relaxed(p); });
 }
 
 }  // namespace
@@ -198,7 +197,8 @@ CurveFit fit_prony_terms(const std::vector<double>& time,
   const double span = time.back() - time.front();
   if (!(span > 0.0)) throw ValueError("all rows have the same time");
   const double step = span / static_cast<double>(time.size());
-  FitProblem problem;
+  CurveFit fit;
+  auto& problem = fit.problem;
   problem.rows = time.size();
   problem.parameters.push_back({"B0_N", most, 1e-6 * most, 1e3 * most, true});
   for (int i = 1; i <= terms; ++i) {
@@ -206,13 +206,13 @@ CurveFit fit_prony_terms(const std::vector<double>& time,
         {fmt::format("B{}_N", i), 0.1 * most, 1e-6 * most, 1e3 * most, true});
     problem.parameters.push_back({fmt::format("tau{}_s", i), span, 0.1 * step, 1e3 * span, true});
   }
-  problem.residuals = [&](std::span<const double> p, std::span<double> r) {
+  problem.residuals = [time, force, most](std::span<const double> p, std::span<double> r) {
     for (std::size_t i = 0; i < r.size(); ++i) r[i] = (prony_force(p, time[i]) - force[i]) / most;
   };
   if (problem.rows <= problem.parameters.size()) least_squares(problem);  // refuses
-  auto started = least_squares(problem, prony_starts(time, force, terms, step, 3.0 * span));
+  problem.starts = prony_starts(time, force, terms, step, 3.0 * span);
+  auto started = least_squares(problem, problem.starts);
   sort_terms(started.fit, terms);
-  CurveFit fit;
   fit.fit = std::move(started.fit);
   fit.starts = started.starts;
   fit.agreeing = started.agreeing;

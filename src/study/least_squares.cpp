@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <gsl/gsl_blas.h>
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>
@@ -189,10 +190,42 @@ void add_estimates(Fit& fit) {
   }
 }
 
-Fit solve(const FitProblem& problem) {
+constexpr std::size_t most_iterations = 200;
+
+// To the last digit: the parameters matter.
+int drive(gsl_multifit_nlinear_workspace* solver) {
+  int why = 0;
+  const int status = gsl_multifit_nlinear_driver(most_iterations, 1e-11, 1e-11, 1e-14, nullptr,
+                                                 nullptr, &why, solver);
+  // From a start that no step makes better the driver says that its iterations are used up.
+  return why == GSL_ENOPROG ? GSL_ENOPROG : status;
+}
+
+// Until four steps in a row gain less than `least_gain`: the sum of squares matters, and along a flat valley the
+// parameters may go on for ever.
+int drive_down(gsl_multifit_nlinear_workspace* solver, double least_gain) {
+  const auto sum = [&] {
+    const double norm = gsl_blas_dnrm2(gsl_multifit_nlinear_residual(solver));
+    return norm * norm;
+  };
+  double before = sum();
+  int small = 0;
+  for (std::size_t i = 0; i < most_iterations && small < 4; ++i) {
+    const int status = gsl_multifit_nlinear_iterate(solver);
+    if (status != GSL_SUCCESS) return status;
+    const double now = sum();
+    small = before - now < least_gain ? small + 1 : 0;
+    before = now;
+  }
+  return GSL_SUCCESS;
+}
+
+// least_gain 0: to the last digit.
+Fit solve(const FitProblem& problem, double least_gain = 0.0) {
   const std::size_t n = problem.parameters.size();
   auto settings = gsl_multifit_nlinear_default_parameters();
   settings.fdtype = GSL_MULTIFIT_NLINEAR_CTRDIFF;
+  if (least_gain > 0.0) settings.trs = gsl_multifit_nlinear_trs_lmaccel;  // for curved valleys
   settings.solver = gsl_multifit_nlinear_solver_svd;  // bears columns that depend on each other
   const std::unique_ptr<gsl_multifit_nlinear_workspace, SolverDeleter> solver(
       gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &settings, problem.rows, n));
@@ -206,10 +239,7 @@ Fit solve(const FitProblem& problem) {
   system.p = n;
   system.params = const_cast<FitProblem*>(&problem);
   gsl_multifit_nlinear_init(start.get(), &system, solver.get());
-  int why = 0;
-  constexpr std::size_t most_iterations = 200;
-  const int status = gsl_multifit_nlinear_driver(most_iterations, 1e-11, 1e-11, 1e-14, nullptr,
-                                                 nullptr, &why, solver.get());
+  const int status = least_gain > 0.0 ? drive_down(solver.get(), least_gain) : drive(solver.get());
   Fit fit;
   fit.parameters = problem.parameters;
   fit.rows = problem.rows;
@@ -263,6 +293,11 @@ Fit least_squares(const FitProblem& problem) {
   auto fit = solve(problem);
   judge(problem, fit);
   return fit;
+}
+
+Fit least_squares_values(const FitProblem& problem, double least_gain) {
+  const QuietGsl quiet;
+  return solve(problem, least_gain);
 }
 
 StartedFit least_squares(const FitProblem& problem,

@@ -29,6 +29,7 @@ struct FitProblem {
   std::function<void(std::span<const double> values, std::span<double> residuals)> residuals;
   bool known_errors =
       false;  ///< residuals are in standard deviations: intervals do not scale with the misfit
+  std::vector<std::vector<double>> starts = {};  ///< where a search may begin, too; see profile.hpp
 };
 
 /// A parameter, or a figure made of them, with its interval.
@@ -36,7 +37,7 @@ struct Estimate {
   std::string name;
   double value = 0.0;
   double error = 0.0;  ///< standard error; infinite if the data do not determine it
-  double low = 0.0;    ///< interval at 95 %
+  double low = 0.0;    ///< interval at 95 %; infinite: the data set no limit on this side
   double high = 0.0;
   bool at_bound = false;  ///< the fit rests on a bound; error and interval mean little
 };
@@ -66,6 +67,10 @@ struct Fit {
 
 /// Throws ValueError if there are fewer rows than parameters plus one.
 Fit least_squares(const FitProblem& problem);
+
+/// Values and sum of squares alone, without errors, intervals and correlations; found when four steps in a row gain
+/// less than `least_gain` in the sum.
+Fit least_squares_values(const FitProblem& problem, double least_gain);
 
 /// Best of several starts, each a list of values of the parameters.
 struct StartedFit {

@@ -16,21 +16,6 @@ constexpr double held_share = 0.98;  // of the largest displacement: held, but f
 
 }  // namespace
 
-const Estimate* find(const CurveFit& fit, const std::string& name) {
-  for (const auto* list : {&fit.fit.estimates, &fit.figures}) {
-    const auto found = std::ranges::find(*list, name, &Estimate::name);
-    if (found != list->end()) return &*found;
-  }
-  return nullptr;
-}
-
-std::optional<double> fact(const CurveFit& fit, const std::string& name) {
-  for (const auto& [known, value] : fit.facts) {
-    if (known == name) return value;
-  }
-  return std::nullopt;
-}
-
 double ramp_correction(RampCorrection kind, double x) {
   switch (kind) {
     case RampCorrection::exact:

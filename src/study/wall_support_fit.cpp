@@ -215,10 +215,13 @@ void add_figures(const std::vector<ColumnDatum>& data,
   });
   auto problem = problem_of(result.bed, data, narrowed);
   const auto fit = least_squares(problem);
-  result.wall_coefficient = derived(fit, "wall_coefficient", [&](std::span<const double> values) {
+  const auto coefficient = [&](std::span<const double> values) {
     const auto at = bed_of(result.bed, narrowed, values);
     return 4.0 * at.wall_friction * at.poisson / (1.0 - at.poisson);
-  });
+  };
+  result.wall_coefficient = derived(fit, "wall_coefficient", coefficient);
+  if (options.intervals == Intervals::profile)
+    profile_figure(problem, fit, coefficient, *result.wall_coefficient);
 }
 
 }  // namespace
@@ -266,6 +269,7 @@ WallSupportFit fit_wall_support(const CompressibleBed& bed,
   result.agreeing = started.agreeing;
   result.bed = bed_of(bed, options, result.fit.values());
   add_figures(data, options, result);
+  if (options.intervals == Intervals::profile) profile_parameters(problem, result.fit);
   return result;
 }
 

@@ -11,6 +11,7 @@
 
 #include "continuum/wall_support/wall_support.hpp"
 #include "study/least_squares.hpp"
+#include "study/profile.hpp"
 
 namespace packbed::study {
 
@@ -48,6 +49,7 @@ struct WallSupportFitOptions {
       column;                 ///< liquid, gravity, reading; diameter and height come from the data
   bool known_errors = false;  ///< errors of the data are standard deviations, not mere weights
   int starts = 8;             ///< the bed given, and others spread over the bounds
+  Intervals intervals = Intervals::linear;
 };
 
 /// Model at a datum; not steady: nothing.

@@ -96,6 +96,17 @@ TEST(BeadRelax, OfAPoroelasticBead) {  // B5: F0 = 1.6 F_inf at nu = 0.2
       "bead relax --model poroelastic " + bead +
       "--G0 '1.62 MPa' --pore-radius '20 nm' --intraparticle-porosity 0.84 --depth '4 um' ";
   EXPECT_NEAR(force(line + "--time '0 s'") / force(line + "--time '1000 h'"), 1.6, 1e-9);
+  EXPECT_FALSE(figures(line + "--time '0 s'").contains("note"));
+}
+
+TEST(BeadCompress, OfAPoroelasticBeadLiesBetweenItsLimitsAndSaysThatItIsApproximate) {
+  const std::string line = "bead compress --model poroelastic " + bead +
+                           "--G0 '1.62 MPa' --pore-radius '20 nm' --intraparticle-porosity 0.84 ";
+  const auto slow = force(line + "--speed '1 pm/s' --time '4e6 s'");
+  EXPECT_NEAR(force(line + "--speed '1 km/s' --time '4 ns'") / slow, 1.6, 1e-3);
+  EXPECT_GT(force(line + "--speed '10 um/s' --time '0.4 s'"), slow);
+  EXPECT_THAT(figures(line + "--speed '10 um/s' --time '0.4 s'")["note"].get<std::string>(),
+              HasSubstr("approximation"));
 }
 
 TEST(Bead, RefusesOnOneLine) {
@@ -117,9 +128,10 @@ TEST(Bead, RefusesOnOneLine) {
        "packbed: --term = \"1 MPa\" is refused: it has no comma; give modulus and time such "
        "as \"0.4 MPa,12 s\"\n"},
       {"compress --model poroelastic " + bead +
-           "--G0 '1 MPa' --pore-radius '20 nm' --intraparticle-porosity 0.8",
-       "packbed: --model poroelastic is known for a step only (thesis eq. 3.38); use `packbed "
-       "bead relax`\n"},
+           "--G0 '1 MPa' --pore-radius '20 nm' --intraparticle-porosity 0.8 --unload",
+       "packbed: --unload does not apply to --model poroelastic, whose contact shrinks in a way "
+       "that "
+       "is not known; leave it out\n"},
       {"relax --model hertz --E '1 MPa' --radius '30 um' --poisson 0.7 --depth '1 um' --time "
        "'1 s'",
        "packbed: --poisson = \"0.7\" is outside (-1, 0.5]; give a fraction such as \"0.38\"\n"},

@@ -67,6 +67,34 @@ TEST(BeadFit, OfTheRelaxationsFindsWhatTheyWereMadeOf) {
   }
 }
 
+// Intervals by profile likelihood: not symmetric; they hold what the curve was made of.
+TEST(BeadFit, GivesProfileIntervals) {
+  const std::string line = "bead fit cases/bead/sls_slow.csv --model sls-maxwell" + bead;
+  const auto linear = figures(line)["curves"][0];
+  const auto profile = figures(line + " --intervals profile")["curves"][0];
+
+  EXPECT_TRUE(inside(profile["parameters"]["G1_Pa"], 3.51e6));
+  EXPECT_TRUE(inside(profile["figures"]["eta_Pa_s"], 0.9e6));
+  for (const auto* name : {"G0_Pa", "G1_Pa", "tau_s"}) {
+    const auto& p = profile["parameters"][name];
+    const auto& l = linear["parameters"][name];
+    EXPECT_EQ(p["error"], l["error"]);
+    EXPECT_NE(p["low"], l["low"]);
+    EXPECT_NEAR(p["low"].get<double>(), l["low"].get<double>(), 1.5 * l["error"].get<double>());
+    EXPECT_NEAR(p["high"].get<double>(), l["high"].get<double>(), 1.5 * l["error"].get<double>());
+  }
+  EXPECT_THAT(run_packbed(line + " --intervals exact").err,
+              HasSubstr("--intervals \"exact\" is not known; known are linear and profile"));
+}
+
+TEST(BeadFit, ThatStartsAtItsSolutionHasConverged) {
+  const test::TemporaryFolder folder;
+  write_text_file(folder.path() / "data.csv",
+                  "time [s],displacement [um],force [uN]\n0,0,0\n1,1,1\n2,2,2.8\n3,3,5.2\n");
+  const auto outcome = run_packbed("bead fit data.csv --model hertz" + bead, folder.path());
+  EXPECT_THAT(outcome.out, testing::Not(HasSubstr("NOT CONVERGED")));
+}
+
 TEST(BeadFit, OfTheLoopGivesItsRestitution) {
   const auto loop = figures("bead fit cases/bead/loop.csv --model restitution")["curves"][0];
   EXPECT_NEAR(loop["restitution"], 0.956, 0.003);

@@ -41,9 +41,11 @@ dem::Dem bed_at_rest(double inertia_scale) {
   return dem;
 }
 
-CoupledBed liquid(coupling::Scheme scheme = coupling::Scheme::frozen_flux) {
+CoupledBed liquid(coupling::Scheme scheme = coupling::Scheme::frozen_flux,
+                  const fluid::Boundaries& boundaries = {}) {
   const mesh::ColumnMesh mesh(slice, mesh::cell_counts(slice, {}));
   CoupledOptions o;
+  o.fluid.boundaries = boundaries;
   o.coupling.scheme = scheme;
   o.coupling.widths = {.reach = 0.75e-3, .reach_z = 0.75e-3};
   return {mesh, slice, o, Ranks::alone()};
@@ -80,6 +82,25 @@ TEST(CoupledBed, IsCarriedByFloorAndWalls) {
   const double carried = mean_force(s, dem, true) + mean_force(s, dem, false) + f.wall_shear;
   EXPECT_NEAR(carried / (weight + f.pressure_force), 1.0, 1e-3);
   EXPECT_GT(f.pressure_force, 2.0 * weight);
+}
+
+TEST(CoupledBed, TellsThePressureDropOfItsFritsBesides) {
+  const auto figures = [](double inlet_resistance, double outlet_resistance) {
+    auto s = cloud_of(50, 0.1);
+    fluid::Boundaries b;
+    b.inlet = fluid::Inlet{.superficial = {}, .frit_resistance = inlet_resistance};
+    b.outlet = fluid::Outlet{.pressure = 0.0, .frit_resistance = outlet_resistance};
+    auto bed = liquid(coupling::Scheme::frozen_flux, b);
+    bed.start(s.dem);
+    bed.set_flow(fluid::FlowProgram::steady(500 * cm_h));
+    run(bed, s.dem, 4e-3, 1e-3);
+    return bed.figures();
+  };
+  const auto without = figures(0.0, 0.0);
+  const auto with = figures(1e9, 2e9);
+  const double mu = CoupledOptions{}.fluid.mu_f;
+  EXPECT_EQ(without.frit_pressure_drop, 0.0);
+  EXPECT_NEAR(with.frit_pressure_drop, mu * 3e9 * 500 * cm_h, 1e-5 * mu * 3e9 * 500 * cm_h);
 }
 
 // The pressure drop is that of Koch and Hill at the porosities that the liquid sees, layer by layer, for beads
@@ -121,6 +142,39 @@ TEST(CoupledBed, HasThePressureDropOfItsLayers) {
             mesh.level(static_cast<std::int32_t>(high) + 1) + 0.75e-3);
   // Some 100 beads: their <d> / <d^3> is that of all within 3 %.
   EXPECT_NEAR((mean(high, p) - mean(low, p)) / expected, 1.0, 0.04);
+}
+
+struct WallFlow {
+  LiquidFigures figures;
+  double speed = 0.0;  ///< mean velocity in the cells at a wall, inside the bed [m/s]
+};
+WallFlow flow_along(const fluid::Wall& wall) {
+  fluid::Boundaries boundaries;
+  boundaries.x_low = boundaries.x_high = wall;
+  auto dem = bed_at_rest(100.0);
+  auto bed = liquid(coupling::Scheme::frozen_flux, boundaries);
+  bed.start(dem);
+  bed.set_flow(fluid::FlowProgram::steady(100 * cm_h));
+  run(bed, dem, 0.2, 2e-3);
+  WallFlow flow{.figures = bed.figures()};
+  const auto cells = static_cast<std::size_t>(bed.fluid().domain().mesh.cells_per_layer());
+  for (std::size_t layer = 3; layer <= 6; ++layer) {
+    EXPECT_LT(bed.fluid().domain().part.center[layer * cells].x, -0.8e-3);
+    flow.speed -= 0.25 * bed.fluid().u()[layer * cells].z;
+  }
+  return flow;
+}
+
+// Thesis table B.3. Beads resist so much more than walls do that the liquid moves on nearly as it did; where there is a
+// bed, here of a void fraction of 0.50 at the wall, the wall takes nearly twice the shear.
+TEST(CoupledBed, BearsMoreShearAtWallsOfVoidFractionOne) {
+  const auto same = flow_along({});
+  const auto one = flow_along({.velocity = {}, .void_fraction = 1.0});
+
+  EXPECT_NEAR(one.speed / same.speed, 0.997, 0.001);
+  EXPECT_NEAR(one.figures.pressure_drop / same.figures.pressure_drop, 1.004, 0.002);
+  // Free liquid above the bed, whose walls are of 1 anyway, has its share.
+  EXPECT_NEAR(one.figures.wall_shear / same.figures.wall_shear, 1.79, 0.1);
 }
 
 struct Noise {
@@ -223,6 +277,34 @@ TEST(FlowStage, GoesThroughItsPlateausAndTellsWhichWereNotSteady) {
   EXPECT_NEAR(dem.time() - start, 0.15, 1e-9);
   EXPECT_EQ(dem.options().inertia_scale, 100.0);
   EXPECT_NE(stage.result(dem).find("600 cm/h"), std::string::npos) << stage.result(dem);
+}
+
+// Exchanges that are asked for every 0.1 s come so often that the liquid passes at most a cell in between, also in the
+// first interval after a jump of the flow.
+TEST(FlowStage, KeepsTheCourantNumberAtItsLimit) {
+  auto dem = bed_at_rest(1.0);
+  auto bed = liquid();
+  FlowOptions o;
+  o.to = 1000 * cm_h;
+  o.steps = 2;
+  o.hold = 0.3;
+  o.ramps = false;
+  o.interval = 1.0;
+  o.area = area;
+  o.coupling_interval = 0.1;
+  o.inertia_scale = 100.0;
+  o.stepping = {.longest_step = 1.0, .fixed_step = {}};
+  FlowStage stage(o, bed);
+  stage.begin(dem);
+  double largest = 0.0;
+  int intervals = 0;
+  for (auto after = After::goes_on; after != After::end; ++intervals) {
+    after = stage.advance(dem);
+    largest = std::max(largest, bed.figures().courant);
+  }
+  EXPECT_GT(intervals, 6);
+  EXPECT_LT(largest, 1.02 * largest_courant);
+  EXPECT_GT(largest, 0.6 * largest_courant);
 }
 
 // A stage that is saved within a plateau tells the same of it as one that was not interrupted.

@@ -23,5 +23,13 @@ TEST(SettledPorosity, TellsTheFrictionForIt) {
   EXPECT_NEAR(settling_friction(0.6, 0.35), 0.5, 1e-9);
 }
 
+TEST(SettledPorosity, TellsTheContactsOfABedThatSettledToIt) {
+  EXPECT_NEAR(settled_coordination(0.3930, 0.35), 4.93, 1e-9);
+  EXPECT_NEAR(settled_coordination(0.3778, 0.0), 5.18, 1e-9);
+  EXPECT_NEAR(settled_coordination(0.38540, 0.35), 5.135, 1e-3);  // half way from 0.3778 to 0.3930
+  EXPECT_NEAR(settled_coordination(0.3880, 0.1), 4.96, 0.1);      // measured apart
+  EXPECT_NEAR(settled_coordination(0.30, 0.35), 5.90, 1e-9);      // held at the ends
+}
+
 }  // namespace
 }  // namespace packbed::column

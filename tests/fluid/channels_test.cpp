@@ -89,18 +89,44 @@ TEST(Plates, HaveTheLayerOfBrinkmanInABed) {
   EXPECT_NEAR(fitted_order(h, e), 2.0, 0.1);
 }
 
-TEST(Plates, WallVoidFractionOneSlowsTheCellAtTheWall) {
-  // One cell of width h at each wall: (eps_w mu 2/h + exchange h) u = exchange h u_far, and with both walls twice.
-  const double width = 2e-3;
-  const double exchange = 1e4;
-  const double eps = 0.4;
-  const double far = 1e-3;
-  for (const double eps_wall : {0.4, 1.0}) {
-    const auto fluid = plates(1, width, {.eps = eps, .exchange = exchange, .force = exchange * far},
-                              {.void_fraction = eps_wall});
+/// What the scheme makes of Brinkman's layer between plates of n cells: the velocity of the cell next to the wall over
+/// that far away. `cells`: (h / layer)^2; `wall`: void fraction at the wall over that of the bed. In the bed
+/// v = u_far - u has v(j-1) - (2 + cells) v(j) + v(j+1) = 0, at the wall v(1) - v(2) + cells v(1) = 2 wall (u_far - v(1)).
+double at_the_wall(int n, double cells, double wall) {
+  const double b = 1.0 + 0.5 * cells;
+  const double r = b - std::sqrt(b * b - 1.0);
+  const double v1 = 1.0 + std::pow(r, n - 1);
+  const double v2 = r + std::pow(r, n - 2);
+  return 1.0 - 2.0 * wall * v1 / ((1.0 + cells + 2.0 * wall) * v1 - v2);
+}
 
-    const double shear = 2.0 * eps_wall * mu / (0.5 * width);
-    EXPECT_NEAR(fluid.u()[0].z, -far * exchange * width / (shear + exchange * width), 1e-9 * far);
+// Thesis table B.3; docs/theory/liquid.md, section 6. The shear of a wall of 1 beside a bed of 0.4 is 2.5 times as strong per velocity of the cell.
+TEST(Plates, WallVoidFractionOneSlowsTheCellAtTheWall) {
+  constexpr int n = 64;
+  constexpr double h = 0.4e-3;
+  constexpr double eps = 0.4;
+  struct Ratio {
+    double cells;      ///< h over the layer
+    double same, one;  ///< velocity of the cell at the wall over that far away, in wide beds
+  };
+  // The last one is a bed of beads of 87 um: 180 mu (1 - eps)^2 / (eps d^2) = 2.14e7 kg/(m3 s).
+  for (const auto& ratio :
+       {Ratio{0.3, 0.1483, 0.0651}, Ratio{1.0, 0.4472, 0.2445}, Ratio{3.0, 0.8321, 0.6646},
+        Ratio{10.0, 0.9806, 0.9528}, Ratio{92.5, 0.99977, 0.99942}}) {
+    const double width = h / ratio.cells;
+    const double exchange = eps * mu / (width * width);
+    const Filling filling{.eps = eps, .exchange = exchange, .force = exchange * mean};
+    const auto u = [&](const Wall& wall) {
+      return -plates(n, n * h, filling, wall).u()[0].z / mean;
+    };
+
+    const double same = u({});
+    const double one = u({.velocity = {}, .void_fraction = 1.0});
+
+    EXPECT_NEAR(same, at_the_wall(n, ratio.cells * ratio.cells, 1.0), 1e-8) << ratio.cells;
+    EXPECT_NEAR(one, at_the_wall(n, ratio.cells * ratio.cells, 1.0 / eps), 1e-8) << ratio.cells;
+    EXPECT_NEAR(same, ratio.same, 1e-3 * ratio.same) << ratio.cells;
+    EXPECT_NEAR(one, ratio.one, 1e-3 * ratio.one) << ratio.cells;
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// F6, F7, D3, D4, D9: beds as given fields.
+// F7, D3, D4, D9: beds as given fields.
 #include <gtest/gtest.h>
 
 #include "fluid/figures.hpp"
@@ -34,13 +34,19 @@ FluidOptions options(double u0, bool convects = true) {
   o.convection = convects ? Convection::limited : Convection::none;
   o.boundaries.inlet = Inlet{FlowProgram::steady(u0)};
   o.boundaries.x_low = o.boundaries.x_high = SlipWall{};
-  o.boundaries.y_low = o.boundaries.y_high = SlipWall{};
+  o.boundaries.y_low = o.boundaries.y_high = o.boundaries.wall = SlipWall{};
   return o;
 }
 
-Fluid column(const FluidOptions& o, std::int32_t layers = 20) {
-  return make_fluid(o, BoxCase{{1e-3, 1e-3, 20e-3}, {2, 2, layers}}.mesh());
+mesh::ColumnMesh box(std::int32_t layers = 20) {
+  return BoxCase{{1e-3, 1e-3, 20e-3}, {2, 2, layers}}.mesh();
 }
+mesh::ColumnMesh cylinder(std::int32_t layers = 20) {
+  return {mesh::Cylinder{.inner_diameter = 1e-3, .height = 20e-3},
+          {.core = 2, .ring = 1, .layers = layers}};
+}
+
+Fluid column(const FluidOptions& o) { return make_fluid(o, box()); }
 
 Bed bed_of(const Fluid& fluid, const std::function<double(double)>& eps_at, double d) {
   Bed bed;
@@ -65,39 +71,48 @@ double unevenness(const Fluid& fluid, double u0) {
 
 TEST(Darcy, TwoLayersAddUpForAnyStep) {
   const double u0 = 1e-3;
-  for (const double dt : {1e-5, 1e-3, 1.0}) {
-    auto fluid = column(options(u0, false));
-    const auto bed = bed_of(
-        fluid, [](double z) { return z > 10e-3 ? 0.4 : 0.3; }, 100e-6);
+  // Where cells lean the liquid finds its way in some steps, by the lag of what leans.
+  for (const auto& [mesh, count] : {std::pair{box(), 3}, {cylinder(), 30}}) {
+    for (const double dt : {1e-5, 1e-3, 1.0}) {
+      auto fluid = make_fluid(options(u0, false), mesh);
+      const auto bed = bed_of(
+          fluid, [](double z) { return z > 10e-3 ? 0.4 : 0.3; }, 100e-6);
 
-    steps(fluid, 3, dt, bed);
+      steps(fluid, count, dt, bed);
 
-    // 10 mm of 0.40 and 10 mm of 0.30: 1012.5 + 3266.6667 Pa.
-    EXPECT_NEAR(pressure_drop(fluid), 1012.5 + 9800.0 / 3.0, 1e-6 * 4279.0) << dt;
-    EXPECT_LT(unevenness(fluid, u0), 1e-8);  // what three steps of 1e-5 s leave of the start
+      // 10 mm of 0.40 and 10 mm of 0.30: 1012.5 + 3266.6667 Pa.
+      EXPECT_NEAR(pressure_drop(fluid), 1012.5 + 9800.0 / 3.0, 1e-6 * 4279.0) << dt;
+      EXPECT_LT(unevenness(fluid, u0), 1e-8);  // what the first steps of 1e-5 s leave
+    }
+  }
+}
+
+/// 0.43 to 0.34 and to free liquid, both ways. Away from a jump by more than two cells the pressure is linear to
+/// round-off; beside it inertia and viscosity of the liquid that changes its speed there count: rho u^2 / h, mu u / h^2.
+void expect_no_oscillation(const mesh::ColumnMesh& mesh, double u0) {
+  const double h = mesh.level(1);
+  const double speed = std::abs(u0);
+  const double at_jumps = rho * std::pow(speed / 0.34, 2) / h + mu * speed / (0.34 * h * h);
+  auto fluid = make_fluid(options(u0), mesh);
+  const auto eps_at = [](double z) { return z > 15e-3 ? 1.0 : z > 7.5e-3 ? 0.43 : 0.34; };
+  const auto bed = bed_of(fluid, eps_at, 93e-6);
+
+  steps(fluid, 400, 1e-3, bed);
+
+  EXPECT_LT(unevenness(fluid, u0), 1e-9);
+  for (std::size_t c = 0; c < fluid.domain().own(); ++c) {
+    const double z = fluid.domain().part.center[c].z;
+    const double slope = bed.exchange[c] * u0 / (bed.eps[c] * bed.eps[c]);
+    const bool beside = std::abs(z - 7.5e-3) < 2 * h || std::abs(z - 15e-3) < 2 * h;
+    EXPECT_NEAR(fluid.pressure_gradient()[c].z, slope, beside ? at_jumps : 1e-9 * 4e5) << z;
   }
 }
 
 TEST(Darcy, JumpsGiveNoOscillation) {
-  // 0.43 to 0.34 and to free liquid, both ways. Away from a jump by more than two cells the pressure is linear to
-  // round-off; beside it inertia and viscosity of the liquid that changes its speed there count: rho u^2 / h, mu u / h^2.
   const double u0 = 500.0 / 360000.0;
-  const double h = 20e-3 / 24;
-  const double at_jumps = rho * std::pow(u0 / 0.34, 2) / h + mu * u0 / (0.34 * h * h);
   for (const double sign : {1.0, -1.0}) {
-    auto fluid = column(options(sign * u0), 24);
-    const auto eps_at = [](double z) { return z > 15e-3 ? 1.0 : z > 7.5e-3 ? 0.43 : 0.34; };
-    const auto bed = bed_of(fluid, eps_at, 93e-6);
-
-    steps(fluid, 400, 1e-3, bed);
-
-    EXPECT_LT(unevenness(fluid, sign * u0), 1e-9);
-    for (std::size_t c = 0; c < fluid.domain().own(); ++c) {
-      const double z = fluid.domain().part.center[c].z;
-      const double slope = sign * bed.exchange[c] * u0 / (bed.eps[c] * bed.eps[c]);
-      const bool beside = std::abs(z - 7.5e-3) < 2 * h || std::abs(z - 15e-3) < 2 * h;
-      EXPECT_NEAR(fluid.pressure_gradient()[c].z, slope, beside ? at_jumps : 1e-9 * 4e5) << z;
-    }
+    expect_no_oscillation(box(24), sign * u0);
+    expect_no_oscillation(cylinder(24), sign * u0);
   }
 }
 
@@ -186,27 +201,6 @@ TEST(FixedBed, HasTheDropOfKozenyCarmanAndOfKochHill) {
       EXPECT_NEAR(pressure_drop(fluid) / 20e-3, exact, 1e-6 * exact) << b.name;
     }
   }
-}
-
-TEST(StillLiquid, StaysStillForAnyBedAndMesh) {
-  FluidOptions o;
-  o.boundaries.inlet = Inlet{};
-  o.boundaries.outlet = Outlet{101325.0};
-  const mesh::ColumnMesh mesh(mesh::Cylinder{.inner_diameter = 2e-3, .height = 5e-3},
-                              {.core = 4, .ring = 2, .layers = 10});
-  auto fluid = make_fluid(o, mesh);
-  Bed bed;
-  bed.eps = field(fluid, [](const Vec3& x) {
-    return 0.5 + 0.4 * std::sin(3e3 * x.x) * std::cos(2e3 * x.z + 1e3 * x.y);
-  });
-  bed.exchange = field(fluid, [](const Vec3& x) { return 1e6 * x.z; });
-  fluid.start(bed, std::vector<Vec3>(fluid.domain().own()), 0.0);
-
-  for (int k = 0; k < 5; ++k) fluid.step(1e-3, bed);
-
-  for (const auto& u : fluid.u()) EXPECT_LT(norm(u), 1e-12);
-  const double z = fluid.domain().part.center[0].z;
-  EXPECT_NEAR(fluid.pressure(0), 101325.0 - 998.2 * 9.81 * z, 1e-6);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "report/case_words.hpp"
 #include "report/html.hpp"
+#include "report/tables.hpp"
 #include "tests/report/small_run.hpp"
 
 namespace packbed::report {
@@ -202,6 +203,20 @@ TEST(CaseWords, TellWhatDiffers) {
   ASSERT_EQ(found.size(), 1U) << "titles do not count";
   EXPECT_EQ(found[0].key, "resin.name");
   EXPECT_THAT(found[0].values, ElementsAre("soft", "stiff"));
+}
+
+TEST(CaseWords, TellOtherProtocolsInWords) {
+  const UnitSystem units;
+  const test::SmallRun a("a", "soft");
+  const test::SmallRun b("b", "soft");
+  std::vector runs = {read_run(a.path(), units), read_run(b.path(), units)};
+  runs[1].values["protocol"].push_back({{"step", "store"}, {"hold_limit", "5 s"}});
+
+  EXPECT_FALSE(have_same_steps(runs));
+  EXPECT_TRUE(differences(runs).empty());
+  const auto table = difference_table(runs, units);
+  EXPECT_THAT(table, HasSubstr("<li>Store without a flow"));
+  EXPECT_EQ(table.find("protocol["), std::string::npos);
 }
 
 }  // namespace

@@ -130,6 +130,15 @@ TEST(CaseFigures, OfABeadFileAreItsSums) {
   EXPECT_FALSE(f.flow);
 }
 
+TEST(CaseFigures, CountTheMemoryOfFramesWhereThereAreSome) {
+  const auto with = figures_of(lab_column("", ""));
+  const auto without = figures_of(lab_column("", "[output]\nframes = false\n"));
+
+  EXPECT_GT(with.memory_with_frames, with.memory);
+  EXPECT_EQ(without.memory, with.memory);
+  EXPECT_EQ(without.memory_with_frames, without.memory);
+}
+
 TEST(CaseFigures, OfAnEmptyBedAreZero) {
   const auto f = figures_of(
       "[column]\nshape = \"cylinder\"\ninner_diameter = \"1 cm\"\n"

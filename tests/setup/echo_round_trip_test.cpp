@@ -34,19 +34,25 @@ std::string mesh(std::initializer_list<const char*> counts) {
   return text;
 }
 
+std::string frit() {
+  return "[column.frit]\n" + maybe("youngs_modulus", quantity(2, 3, {"GPa"})) +
+         maybe("inlet_resistance", quantity(1, 5, {"m-1", "cm-1"})) +
+         maybe("outlet_resistance", quantity(0, 2, {"m-1"}));
+}
+
 std::string column() {
   std::string text = "[column]\n";
   std::string cells;
   const auto of_rectangles = {"cells_x", "cells_y"};
   switch (*rc::gen::inRange(0, 3)) {
     case 0:
-      cells = mesh(of_rectangles);
+      cells = mesh(of_rectangles) + frit();
       text += fmt::format("shape = \"slice\"\ninner_diameter = {}\nslice_depth = {}\nheight = {}\n",
                           quantity(5, 20, {"mm"}), quantity(2400, 4000, {"um", "µm"}),
                           quantity(5, 8, {"cm"}));
       break;
     case 1:
-      cells = mesh({"core", "ring"});
+      cells = mesh({"core", "ring"}) + frit();
       text += fmt::format("shape = \"cylinder\"\ninner_diameter = {}\nheight = {}\n",
                           quantity(0.5, 2, {"cm", "inch"}), quantity(50, 80, {"mm"}));
       break;
@@ -152,7 +158,8 @@ std::string settle() {
 std::string random_case() {
   std::string text =
       maybe("title", "\"A \\\"quoted\\\" title, with # and ä\"") + column() + resin();
-  text += "[liquid]\n" + maybe("temperature", quantity(4, 40, {"degC"}));
+  text += "[liquid]\n" + maybe("temperature", quantity(4, 40, {"degC"})) +
+          maybe("wall_void_fraction", *element<std::string>("1", "0.4", "\"bed\""));
   text += "[drag]\n" + maybe("law", *element<std::string>("\"ergun\"", "\"beetstra\"")) +
           maybe("min_void_fraction", number(0.3, 0.45));
   text += "[coupling]\n" + maybe("overlap", "\"merged\"") + maybe("scheme", "\"frozen_velocity\"") +

@@ -63,6 +63,23 @@ TEST(PronyFit, RecoversTheCoefficientsOfTable63) {  // B4
   EXPECT_NEAR(value(fit, "tau2_s") / 0.47, 1.0, 1e-6);
 }
 
+TEST(PronyFit, RecoversFourTimes) {
+  const std::vector<double> truth{77.0e-6, 10.0e-6, 40.0,    13.0e-6, 4.0,
+                                  26.0e-6, 0.4,     26.0e-6, 0.04};
+  std::vector<double> time, force;
+  for (int i = 0; i <= 4000; ++i) {
+    time.push_back(0.02 * i);
+    force.push_back(truth[0]);
+    for (std::size_t k = 1; k < truth.size(); k += 2)
+      force.back() += truth[k] * std::exp(-time.back() / truth[k + 1]);
+  }
+
+  const auto fit = fit_prony_terms(time, force, 4);
+
+  for (std::size_t k = 0; k < truth.size(); ++k)
+    EXPECT_NEAR(fit.fit.estimates[k].value / truth[k], 1.0, 1e-5) << k;
+}
+
 // A bead with known moduli, ramp and hold, through the whole of the fit: the exact correction gives them back.
 TEST(PronyFit, GivesBackTheModuliOfABeadWithARamp) {
   const ViscoelasticBead bead{shape, continuum::prony(3.2e6, {{0.4e6, 6.0}, {0.3e6, 0.5}})};

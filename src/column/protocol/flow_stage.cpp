@@ -103,7 +103,7 @@ After FlowStage::advance(dem::Dem& dem) {
   finished_.reset();
   if (options_.hold && *options_.hold <= 0.0) return After::end;
   choose_step(options_, dem);
-  double interval = state_.interval;
+  double interval = liquid_.interval_within_limit(state_.interval, velocity(state_.plateau));
   if (options_.hold) {
     const double left = state_.started + *options_.hold - liquid_.time();
     interval = left / std::max(1.0, std::ceil(left / interval - 1e-9));

@@ -132,7 +132,11 @@ void PlungerStage::choose_inertia(dem::Dem& dem) {
 }
 
 double PlungerStage::slice_time(const dem::Dem& dem) const {
-  if (liquid_ != nullptr) return state_.interval;
+  if (liquid_ != nullptr) {
+    const bool displaces = phase() == PlungerPhase::move || phase() == PlungerPhase::hold;
+    const double coming = std::abs(state_.flow) + (displaces ? std::abs(options_.speed) : 0.0);
+    return liquid_->interval_within_limit(state_.interval, coming);
+  }
   return static_cast<double>(steps_per_slice(dem.bead_count())) * dem.options().step;
 }
 
@@ -202,11 +206,12 @@ std::optional<double> PlungerStage::time_left(double speed, const dem::Dem& dem)
 After PlungerStage::advance(dem::Dem& dem) {
   if (state_.slices % slices_per_choice == 0) choose_inertia(dem);
   choose_step(options_, dem);
-  double time = slice_time(dem);
+  const double slice = slice_time(dem);
+  double time = slice;
   const double speed = wanted_speed(time, dem);
   const auto left = time_left(speed, dem);
   if (left) time = *left / std::max(1.0, std::ceil(*left / time - rounding));  // none is very short
-  const bool is_there = left && *left <= least_slice * slice_time(dem);
+  const bool is_there = left && *left <= least_slice * slice;
   if (!is_there) step(speed, time, dem);
   end_phase_if_due(is_there, dem);
   if (phase() == PlungerPhase::done) {

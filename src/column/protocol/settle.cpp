@@ -21,6 +21,7 @@ constexpr double landed_speed = 0.3;  // of a bead that falls no more / sqrt(g d
 constexpr std::int32_t most_falls = 2;
 constexpr std::int32_t most_count_changes = 6;
 constexpr std::int32_t most_corrections = 3;
+constexpr double fall_time = 8.0;    // damping time of the fall / falling time: decision 10
 constexpr double near_height = 0.5;  // distance from the height asked for / mean diameter
 // Densification. Friction fades slowly, and waits where the bed gives way, so that the bed follows
 // from balance to balance and stands as soon as friction comes back. Times are falling times.
@@ -94,8 +95,8 @@ void Settle::fall(dem::Dem& dem) {
 }
 
 void Settle::enter_fall(dem::Dem& dem) {
-  const double time =
-      options_.fall_damping.value_or(4.0 * falling_time(bed_.mean_diameter, options_.gravity, dem));
+  const double time = options_.fall_damping.value_or(
+      fall_time * falling_time(bed_.mean_diameter, options_.gravity, dem));
   dem.set_background_damping(1.0 / time);
   enter(SettlePhase::fall, dem);
 }

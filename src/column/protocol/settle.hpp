@@ -43,7 +43,7 @@ struct SettleOptions {
 
   SteppingOptions stepping;
   /// Time in which a bead slows down [s] while beads fall, and while the bed comes to rest;
-  /// none: 4 and 1 times sqrt(inertia scale d / gravity), d being the mean diameter.
+  /// none: 8 and 1 times sqrt(inertia scale d / gravity), d being the mean diameter.
   std::optional<double> fall_damping;
   std::optional<double> rest_damping;
   double damping_after = 0.0;  ///< rate that is set in the end; 0: none [1/s]

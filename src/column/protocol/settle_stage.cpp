@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "column/protocol/settled_porosity.hpp"
+
 namespace packbed::column {
 namespace {
 
@@ -38,6 +40,16 @@ SettleState state_from(const nlohmann::ordered_json& saved) {
   state.phase = static_cast<SettlePhase>(saved.at("phase").get<int>());
   visit(state, [&](const char* key, auto& value) { saved.at(key).get_to(value); });
   return state;
+}
+
+/// How the porosity was met, and what a bed would have that had settled to it by itself.
+std::string way_to_porosity(const SettleState& s, const SettleOptions& options) {
+  return fmt::format(
+      "; porosity met {}, after {} settling{} of the whole bed; a bed that settles to it by "
+      "itself, away from walls, "
+      "has {:.2f} contacts per grain",
+      s.looseness < 1.0 ? "by less friction in place" : "as it settled", s.falls,
+      s.falls == 1 ? "" : "s", settled_coordination(s.porosity, options.resin_rolling_friction));
 }
 
 }  // namespace
@@ -85,6 +97,7 @@ std::string SettleStage::result(const dem::Dem& dem) const {
       "beads",
       dem.bead_count(), 1e3 * s.bed_height, s.porosity, s.coordination, s.unbalanced, s.friction,
       s.count_changes);
+  if (settle_.options().porosity) text += way_to_porosity(s, settle_.options());
   if (s.speed > settle_.options().speed_limit) {
     text += fmt::format("; one between others still rolls, at {:.2g} m/s", s.speed);
   }

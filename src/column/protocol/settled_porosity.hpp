@@ -2,7 +2,7 @@
 #pragma once
 
 /// @file
-/// Porosity to which a cloud of beads settles, as measured with this program: docs/theory/settling.md.
+/// Porosity to which a cloud of beads settles, and contacts per bead that it then has, as measured with this program: docs/theory/settling.md.
 
 namespace packbed::column {
 
@@ -12,5 +12,8 @@ double settled_porosity(double friction, double rolling_friction);
 
 /// The friction at which a bed settles to a porosity; within [0, 0.5].
 double settling_friction(double porosity, double rolling_friction);
+
+/// Contacts per bead of a bed that settled to a porosity by itself, with that friction.
+double settled_coordination(double porosity, double rolling_friction);
 
 }  // namespace packbed::column

@@ -19,7 +19,7 @@ inline double poroelastic_relaxation(double tau_p) {
 ///   F0 / F_inf = 2 (1 - nu)                                        (eq. 3.37)
 ///   F(t) = F_inf + (F0 - F_inf) g(D t / a^2)                       (eq. 3.38)
 /// F0 is Hertz's law for an incompressible bead (nu = 1/2), F_inf that for the drained bead. Known for a
-/// step only.
+/// step; for a ramp see poroelastic_ramp.hpp.
 struct PoroelasticBead {
   BeadShape shape;             ///< nu of the drained bead
   double shear_modulus = 0.0;  ///< G [Pa]

@@ -7,7 +7,7 @@
 
 #include "continuum/bead/attenuation.hpp"
 #include "continuum/bead/hertz.hpp"
-#include "continuum/bead/poroelastic.hpp"
+#include "continuum/bead/poroelastic_ramp.hpp"
 #include "continuum/bead/swollen_bead.hpp"
 
 namespace packbed::continuum {
@@ -42,6 +42,42 @@ TEST(PoroelasticBead, RelaxesInATimeThatGrowsWithTheAreaOfContact) {
     return (bead.force(approach, t) - f) / (bead.initial_force(approach) - f);
   };
   EXPECT_NEAR(share(1e-6, 0.1), share(4e-6, 0.4), 1e-12);
+}
+
+TEST(PoroelasticRamp, LiesBetweenTheStepAndTheDrainedBead) {
+  const PoroelasticBead bead{shape, 1.6e6, 1e-10};
+  const auto end_of_ramp = [&](double time) {
+    return poroelastic_force(bead, {.depth = 4e-6, .ramp_time = time}, time);
+  };
+  // Fast: F_0; first order in sqrt(D t/a^2), so 1e-5 at 1e-12. Slow: F_inf; g falls with exp(-sqrt), so 1/x remains.
+  EXPECT_NEAR(end_of_ramp(1e-12) / bead.initial_force(4e-6), 1.0, 1e-5);
+  EXPECT_NEAR(end_of_ramp(1e6) / bead.final_force(4e-6), 1.0, 1e-5);
+  for (const double t : {0.0, 0.1, 3.0}) {  // no ramp: the step
+    EXPECT_NEAR(poroelastic_force(bead, {.depth = 4e-6}, t) / bead.force(4e-6, t), 1.0, 1e-12);
+  }
+  // Held long after a short ramp: that of the step.
+  EXPECT_NEAR(
+      poroelastic_force(bead, {.depth = 4e-6, .ramp_time = 1e-6}, 2.0) / bead.force(4e-6, 2.0), 1.0,
+      1e-5);
+}
+
+// D t/a^2 = D/(R v) does not change at constant speed, so neither does the share of F_0 that is left.
+TEST(PoroelasticRamp, KeepsItsShareAtConstantSpeed) {
+  const PoroelasticBead bead{shape, 1.6e6, 1e-10};
+  const auto excess = [&](double t) {
+    const Loading loading{.depth = 4e-6, .ramp_time = 4.0};
+    const double f = bead.final_force(loading.approach(t));
+    return (poroelastic_force(bead, loading, t) - f) /
+           (bead.initial_force(loading.approach(t)) - f);
+  };
+  EXPECT_NEAR(excess(0.1), excess(4.0), 1e-10);
+}
+
+// Worked out by another quadrature (QUADPACK in x = y^2): D t/a^2 = 0.1, 1, 10.
+TEST(PoroelasticRamp, HasTheExcessOfItsIntegral) {
+  EXPECT_NEAR(poroelastic_excess(0.1, 1.0, 1.0), 0.891906154812657, 1e-9);
+  EXPECT_NEAR(poroelastic_excess(1.0, 1.0, 1.0), 0.578781520515206, 1e-9);
+  EXPECT_NEAR(poroelastic_excess(10.0, 1.0, 1.0), 0.157416758932230, 1e-9);
 }
 
 TEST(SwollenBead, HasTheDensitiesOfTable62) {  // SEP 1.139 g/cm3; TOY 1.281, printed 1.34
