@@ -34,4 +34,15 @@ std::int64_t Domain::face_number(std::size_t f) const {
   return level_faces + mesh.layers() * inner_edges + source.layer * border_edges + source.index;
 }
 
+std::vector<double> throughflow(const Domain& domain, std::span<const double> flux) {
+  std::vector<double> all(domain.cells(), 0.0);
+  for (std::size_t f = 0; f < domain.faces(); ++f) {
+    const double half = 0.5 * std::abs(flux[f]);
+    all[domain.owner(f)] += half;
+    if (f < domain.inner()) all[domain.neighbor(f)] += half;
+  }
+  all.resize(domain.own());
+  return all;
+}
+
 }  // namespace packbed::fluid

@@ -5,6 +5,7 @@
 /// The cells and faces on which a rank solves for the liquid.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/ranks.hpp"
@@ -45,5 +46,8 @@ struct Domain {
   /// Number of a face in the whole mesh, the same on every rank.
   [[nodiscard]] std::int64_t face_number(std::size_t f) const;
 };
+
+/// What passes each own cell: half the sum of the sizes of its fluxes, one per face.
+std::vector<double> throughflow(const Domain& domain, std::span<const double> flux);
 
 }  // namespace packbed::fluid

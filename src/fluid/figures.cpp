@@ -65,12 +65,9 @@ std::vector<double> level_fluxes(const Fluid& fluid) {
 double courant_rate(const Fluid& fluid, double superficial) {
   constexpr double unevenness = 1.5;
   const auto& d = fluid.domain();
-  std::vector<double> through(d.cells(), 0.0);
-  for (std::size_t f = 0; f < d.faces(); ++f) {
-    const double half = 0.5 * d.geometry.area[f] * std::abs(fluid.q()[f]);
-    through[d.owner(f)] += half;
-    if (f < d.inner()) through[d.neighbor(f)] += half;
-  }
+  std::vector<double> flux(d.faces());  // in space, not relative to faces that move
+  for (std::size_t f = 0; f < flux.size(); ++f) flux[f] = d.geometry.area[f] * fluid.q()[f];
+  const auto through = throughflow(d, flux);
   std::array<double, 2> largest{};  // now, 1 / eps
   for (std::size_t c = 0; c < d.own(); ++c) {
     largest[0] = std::max(largest[0], through[c] / (d.part.volume[c] * fluid.eps()[c]));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The stages of a step of the liquid.
 #include "fluid/fluid.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -14,122 +14,6 @@
 #include "fluid/time_scheme.hpp"
 
 namespace packbed::fluid {
-namespace {
-
-const FluidOptions& checked(const FluidOptions& options) {
-  options.check();
-  return options;
-}
-
-template <class T>
-void fill(std::vector<T>& field, std::size_t own, const T& value) {
-  if (field.empty()) field.assign(own, value);
-}
-
-/// `bed` with every field, or a ValueError.
-Bed filled(const Bed& bed, std::size_t own) {
-  Bed all = bed;
-  fill(all.eps, own, 1.0);
-  fill(all.exchange, own, 0.0);
-  fill(all.u_solid, own, Vec3{});
-  fill(all.source, own, 0.0);
-  fill(all.force, own, Vec3{});
-  for (const auto size : {all.eps.size(), all.exchange.size(), all.u_solid.size(),
-                          all.source.size(), all.force.size()}) {
-    if (size == own) continue;
-    throw ValueError(
-        fmt::format("a field of the bed has {} values; this rank owns {} cells", size, own));
-  }
-  return all;
-}
-
-void check_bed(const Bed& bed, const Domain& domain, double time) {
-  for (std::size_t c = 0; c < domain.own(); ++c) {
-    const auto& x = domain.part.center[c];
-    const double eps = bed.eps[c];
-    if (!(eps > 0.0 && eps <= 1.0)) {
-      throw DivergenceError(fmt::format(
-          "void fraction {} in cell {} at ({:.6g}, {:.6g}, {:.6g}) m, {:.6g} s; it must be above 0 "
-          "and at most 1",
-          eps, domain.part.cell[c], x.x, x.y, x.z, time));
-    }
-    if (!(bed.exchange[c] >= 0.0 && std::isfinite(bed.exchange[c]))) {
-      throw DivergenceError(fmt::format(
-          "exchange coefficient {} kg/(m3 s) in cell {} at ({:.6g}, {:.6g}, {:.6g}) m, {:.6g} s; "
-          "drag cannot drive",
-          bed.exchange[c], domain.part.cell[c], x.x, x.y, x.z, time));
-    }
-  }
-}
-
-std::vector<Vec3> times(const std::vector<double>& eps, const std::vector<Vec3>& u) {
-  std::vector<Vec3> all(u.size());
-  for (std::size_t c = 0; c < all.size(); ++c) all[c] = eps[c] * u[c];
-  return all;
-}
-
-}  // namespace
-
-Fluid::Fluid(const FluidOptions& options,
-             const mesh::ColumnMesh& mesh,
-             const mesh::CellPartition& partition,
-             const Ranks& ranks)
-    : options_(checked(options)),
-      domain_(mesh, partition, ranks),
-      border_(fluid::border(options.boundaries, domain_)),
-      pressure_solver_(domain_, border_),
-      momentum_solver_(domain_, Method::diagonal, false),
-      eps_(domain_.cells(), 1.0),
-      p_(domain_.cells(), 0.0),
-      q_(domain_.faces(), 0.0),
-      flux_(domain_.faces(), 0.0),
-      mesh_speed_(domain_.faces(), 0.0),
-      border_p_(border_.size(), 0.0),
-      u_(domain_.cells()),
-      grad_p_(domain_.cells()),
-      force_(domain_.own()),
-      drag_(domain_.own()) {
-  start({}, std::vector<Vec3>(domain_.own()), 0.0);
-}
-
-double Fluid::pressure(std::size_t cell) const {
-  return p_[cell] + options_.rho_f * dot(options_.gravity, domain_.part.center[cell]);
-}
-
-void Fluid::start(const Bed& bed, std::span<const Vec3> u, double time) {
-  const auto all = filled(bed, domain_.own());
-  check_bed(all, domain_, time);
-  time_ = time;
-  std::copy(all.eps.begin(), all.eps.end(), eps_.begin());
-  domain_.halo.refresh(eps_);
-  face_eps_ = viscous_eps(domain_, border_, eps_);
-  std::copy(u.begin(), u.end(), u_.begin());
-  domain_.halo.refresh(u_);
-  std::ranges::fill(mesh_speed_, 0.0);
-  update(border_, options_.boundaries, domain_, time, options_.rho_f * options_.gravity);
-  const auto superficial = times(eps_, u_);
-  for (std::size_t f = 0; f < domain_.faces(); ++f) {
-    Vec3 at_face = superficial[domain_.owner(f)];
-    if (f < domain_.inner()) {
-      const double w = domain_.geometry.owner_weight(f);
-      at_face = w * at_face + (1.0 - w) * superficial[domain_.neighbor(f)];
-    }
-    q_[f] = dot(at_face, domain_.geometry.normal[f]);
-  }
-  set_flux();
-  double level = -std::numeric_limits<double>::infinity();
-  for (std::size_t b = 0; b < border_.size(); ++b) {
-    if (border_.kind[b] == BorderKind::outlet) level = std::max(level, border_.pressure[b]);
-  }
-  level = domain_.ranks.max(level);
-  std::ranges::fill(p_, border_.has_outlet ? level : 0.0);
-  for (std::size_t b = 0; b < border_.size(); ++b) border_p_[b] = p_[0];
-  std::ranges::fill(grad_p_, Vec3{});
-  force_ = forces(domain_, border_, options_, flow(), face_eps_);
-  for (std::size_t c = 0; c < domain_.own(); ++c) {
-    drag_[c] = all.exchange[c] * (all.u_solid[c] - u_[c]);
-  }
-}
 
 /// Border faces with a known flux get it; then all fluxes follow from the velocities of faces.
 void Fluid::set_flux() {
@@ -158,7 +42,7 @@ std::vector<Tensor> Fluid::superficial_gradient() {
   for (std::size_t b = 0; b < at_border.size(); ++b) {
     at_border[b] *= eps_[domain_.owner(domain_.inner() + b)];
   }
-  return gradient(domain_, times(eps_, u_), at_border);
+  return gradient(domain_, superficial(eps_, u_), at_border);
 }
 
 /// Velocities of cells from those of faces. Where cells lean, first by the change since the last time, for the
@@ -195,14 +79,14 @@ StepReport Fluid::step(double dt, const Bed& bed, std::optional<double> top) {
 
 void Fluid::begin(Step& s, const Bed& bed, std::optional<double> top) {
   s.bed = filled(bed, domain_.own());
-  check_bed(s.bed, domain_, time_ + s.dt);
+  check(s.bed, domain_, time_ + s.dt);
   s.end = end_weight(options_.crank_nicolson);
   s.eps_old = eps_;
   s.volume_old = domain_.part.volume;
   s.u_old = u_;
   s.q_old = q_;
   s.pattern_old = pattern();
-  s.fitted = times(eps_, u_);
+  s.fitted = superficial(eps_, u_);
   s.fitted_q = q_;
   mesh_speed_ = domain_.move_top(top.value_or(domain_.mesh.top()), s.dt);
   update(border_, options_.boundaries, domain_, time_ + s.dt, options_.rho_f * options_.gravity);
@@ -240,12 +124,17 @@ void Fluid::set_balance(Step& s) {
   }
   domain_.halo.refresh(s.balance);
   s.conductance = conductances(domain_, s.balance);
+  put_frits_in_series(s.conductance);
+  s.damping = damping(domain_, s.balance);
+}
+
+/// Outlets: 1/k of the half cell and that of the frit behind it.
+void Fluid::put_frits_in_series(std::vector<double>& conductance) const {
   for (std::size_t b = 0; b < border_.size(); ++b) {
     if (border_.kind[b] != BorderKind::outlet) continue;
     const auto f = domain_.inner() + b;
-    s.conductance[f] /= 1.0 + frit_slope(b) * s.conductance[f] / domain_.geometry.area[f];
+    conductance[f] /= 1.0 + frit_slope(b) * conductance[f] / domain_.geometry.area[f];
   }
-  s.damping = damping(domain_, s.balance);
 }
 
 /// Velocity of own cells that balances momentum with the present pressure, convection and viscous forces
@@ -266,19 +155,6 @@ std::vector<Vec3> Fluid::predicted(Step& s, const std::vector<Vec3>& force) {
   return u;
 }
 
-/// Volume per time that must leave each own cell through its faces [m3/s].
-std::vector<double> Fluid::displaced(const Step& s) const {
-  std::vector<double> all(domain_.own());
-  for (std::size_t c = 0; c < all.size(); ++c) {
-    const double volume = domain_.part.volume[c];
-    // eps V less its old value, in a form that is 0 to the last bit where nothing has changed.
-    const double gained =
-        (eps_[c] - s.eps_old[c]) * volume + s.eps_old[c] * (volume - s.volume_old[c]);
-    all[c] = s.bed.source[c] * volume - gained / s.dt;
-  }
-  return all;
-}
-
 /// Velocities of faces, relative fluxes and all, as the present pressure has them.
 void Fluid::set_face_velocity(const Step& s) {
   const auto inner = domain_.inner();
@@ -291,24 +167,12 @@ void Fluid::set_face_velocity(const Step& s) {
   set_flux();
 }
 
-/// What passes each own cell: half the sum of the sizes of its fluxes [m3/s].
-std::vector<double> Fluid::throughflow() const {
-  std::vector<double> all(domain_.cells(), 0.0);
-  for (std::size_t f = 0; f < domain_.faces(); ++f) {
-    const double half = 0.5 * std::abs(flux_[f]);
-    all[domain_.owner(f)] += half;
-    if (f < domain_.inner()) all[domain_.neighbor(f)] += half;
-  }
-  all.resize(domain_.own());
-  return all;
-}
-
 /// Changes the pressure by what closes all cells. The change is what is solved for: where the present
 /// pressure is right, nothing moves, to the last bit.
 void Fluid::solve_pressure(Step& s) {
   set_face_velocity(s);
   auto rhs = continuity_errors(s);
-  const auto through = throughflow();
+  const auto through = throughflow(domain_, flux_);
   const double size = norm_of(domain_.ranks, through);
   std::vector<double> change(domain_.cells(), 0.0);
   s.report.pressure.push_back(
@@ -361,18 +225,6 @@ void Fluid::correct(Step& s, const std::vector<Vec3>& force) {
   s.report.residual.push_back(norm_of(domain_.ranks, continuity_errors(s)));
 }
 
-/// What each own cell lacks to be closed, from the fluxes alone [m3/s].
-std::vector<double> Fluid::continuity_errors(const Step& s) const {
-  auto all = displaced(s);
-  all.resize(domain_.cells(), 0.0);
-  for (std::size_t f = 0; f < domain_.faces(); ++f) {
-    all[domain_.owner(f)] -= flux_[f];
-    if (f < domain_.inner()) all[domain_.neighbor(f)] += flux_[f];
-  }
-  all.resize(domain_.own());
-  return all;
-}
-
 void Fluid::finish(Step& s) {
   const auto& g = domain_.geometry;
   time_ += s.dt;
@@ -387,29 +239,6 @@ void Fluid::finish(Step& s) {
                        : p_[domain_.owner(f)] + s.push[f] - q_[f] * g.area[f] / s.conductance[f];
   }
   report(s);
-}
-
-void Fluid::report(Step& s) const {
-  const auto errors = continuity_errors(s);
-  const auto through = throughflow();
-  std::array<double, 3> largest{};
-  for (std::size_t c = 0; c < domain_.own(); ++c) {
-    largest[0] = std::max(largest[0], std::abs(errors[c]));
-    largest[1] = std::max(largest[1], through[c]);
-    largest[2] = std::max(largest[2], s.dt * through[c] / (eps_[c] * domain_.part.volume[c]));
-    if (!std::isfinite(errors[c])) largest[0] = errors[c];
-  }
-  domain_.ranks.max(largest);
-  const double size = norm_of(domain_.ranks, through);
-  const auto over = [](double a, double b) { return b > 0.0 ? a / b : a; };
-  s.report.continuity_error = over(norm_of(domain_.ranks, errors), size);
-  s.report.largest_error = over(largest[0], largest[1]);
-  s.report.courant = largest[2];
-  if (!std::isfinite(largest[0]) || !std::isfinite(largest[2])) {
-    throw DivergenceError(
-        fmt::format("the liquid has velocities that are not finite after the step of {} s to {} s",
-                    s.dt, time_));
-  }
 }
 
 }  // namespace packbed::fluid

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "fluid/balance.hpp"
+#include "fluid/bed.hpp"
 #include "fluid/border.hpp"
 #include "fluid/domain.hpp"
 #include "fluid/fluid_state.hpp"
@@ -25,19 +26,6 @@
 #include "fluid/pressure.hpp"
 
 namespace packbed::fluid {
-
-/// What the beads are to the liquid, at the end of a step; one value per own cell. An empty field has its
-/// default everywhere.
-struct Bed {
-  std::vector<double> eps{};  ///< void fraction, in (0, 1]; default 1
-  std::vector<double>
-      exchange{};               ///< of momentum: drag over slip, per volume; default 0 [kg/(m3 s)]
-  std::vector<Vec3> u_solid{};  ///< velocity of the beads; default 0 [m/s]
-  std::vector<double>
-      source{};  ///< liquid that comes out of the beads, with their velocity, per volume;
-                 ///< what goes into them (< 0) has that of the liquid; default 0 [1/s]
-  std::vector<Vec3> force{};  ///< further force on the liquid, per volume; default 0 [N/m3]
-};
 
 /// What a step took and left. Residuals are worked out by `Fluid` itself.
 struct StepReport {
@@ -118,9 +106,9 @@ class Fluid {
   void damp(Step& s, const std::vector<double>& pattern_now);
   void solve_pressure(Step& s);
   void set_face_velocity(const Step& s);
-  [[nodiscard]] std::vector<double> throughflow() const;
   void finish(Step& s);
   void set_balance(Step& s);
+  void put_frits_in_series(std::vector<double>& conductance) const;
   void set_velocity(Step& s);
   [[nodiscard]] std::vector<Tensor> superficial_gradient();
   [[nodiscard]] std::vector<double> displaced(const Step& s) const;

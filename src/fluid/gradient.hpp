@@ -12,6 +12,13 @@
 
 namespace packbed::fluid {
 
+/// eps u of each cell.
+inline std::vector<Vec3> superficial(std::span<const double> eps, std::span<const Vec3> u) {
+  std::vector<Vec3> all(u.size());
+  for (std::size_t c = 0; c < all.size(); ++c) all[c] = eps[c] * u[c];
+  return all;
+}
+
 /// Least squares over the faces of each cell, weights 1/distance^2; exact for linear fields. `u` in all cells,
 /// `at_border` at each border face. Halo values are brought up to date.
 std::vector<Tensor> gradient(Domain& domain,

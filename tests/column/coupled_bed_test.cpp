@@ -239,19 +239,25 @@ TEST(CoupledBed, GoesOnFromASavedStateWithTheSameBits) {
   }
 }
 
-TEST(FlowStage, GoesThroughItsPlateausAndTellsWhichWereNotSteady) {
-  auto dem = bed_at_rest(1.0);
-  auto bed = liquid();
+/// Jumps from rest to a flow.
+FlowOptions jumps(double to, std::int64_t steps, double hold, double coupling_interval) {
   FlowOptions o;
-  o.to = 600 * cm_h;
-  o.steps = 3;
-  o.hold = 0.05;
+  o.to = to;
+  o.steps = steps;
+  o.hold = hold;
   o.ramps = false;
   o.interval = 1.0;
   o.area = area;
-  o.coupling_interval = 2e-3;
+  o.coupling_interval = coupling_interval;
   o.inertia_scale = 100.0;
   o.stepping = {.longest_step = 1.0, .fixed_step = {}};
+  return o;
+}
+
+TEST(FlowStage, GoesThroughItsPlateausAndTellsWhichWereNotSteady) {
+  auto dem = bed_at_rest(1.0);
+  auto bed = liquid();
+  const auto o = jumps(600 * cm_h, 3, 0.05, 2e-3);
   FlowStage stage(o, bed);
   const double start = dem.time();
   stage.begin(dem);
@@ -284,16 +290,7 @@ TEST(FlowStage, GoesThroughItsPlateausAndTellsWhichWereNotSteady) {
 TEST(FlowStage, KeepsTheCourantNumberAtItsLimit) {
   auto dem = bed_at_rest(1.0);
   auto bed = liquid();
-  FlowOptions o;
-  o.to = 1000 * cm_h;
-  o.steps = 2;
-  o.hold = 0.3;
-  o.ramps = false;
-  o.interval = 1.0;
-  o.area = area;
-  o.coupling_interval = 0.1;
-  o.inertia_scale = 100.0;
-  o.stepping = {.longest_step = 1.0, .fixed_step = {}};
+  const auto o = jumps(1000 * cm_h, 2, 0.3, 0.1);
   FlowStage stage(o, bed);
   stage.begin(dem);
   double largest = 0.0;

@@ -2,7 +2,8 @@
 #pragma once
 
 /// @file
-/// Porosity to which a cloud of beads settles, and contacts per bead that it then has, as measured with this program: docs/theory/settling.md.
+/// Porosity to which a cloud of beads settles, and contacts per bead that it then has, as measured with this
+/// program: docs/theory/settling.md.
 
 namespace packbed::column {
 

@@ -12,7 +12,7 @@ namespace packbed::continuum {
 /// contact grows during the ramp, and neither its size at the time of a step nor the present one is right for that
 /// step. Exact are: a step (T = 0: g itself), the fast ramp (1), the slow one (0), and that phi does not change during
 /// a ramp, for D t/a^2 = D/(R v), v = Delta'/2. With the radius at the time of each step phi would be smaller, by 0.14
-/// at most; docs/theory/bead.md, section 3.
+/// at most: a measure of the error, no bound; docs/theory/bead.md, section 3.
 /// `rate` is D/a(t')^2 [1/s]; times in s.
 double poroelastic_excess(double rate, double t, double ramp_time);
 
