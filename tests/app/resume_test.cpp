@@ -31,7 +31,7 @@ slice_depth = "0.5 mm"
 height = "8 mm"
 [resin]
 name = "CM Sepharose 6FF"
-youngs_modulus = "3 MPa"
+youngs_modulus = "0.3 MPa"
 coarse_grain = 3
 [liquid]
 [beads]
@@ -61,7 +61,7 @@ slice_depth = "0.5 mm"
 height = "4 mm"
 [resin]
 name = "CM Sepharose 6FF"
-youngs_modulus = "3 MPa"
+youngs_modulus = "0.3 MPa"
 coarse_grain = 3
 [liquid]
 [beads]

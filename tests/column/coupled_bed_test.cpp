@@ -24,7 +24,7 @@ constexpr double cm_h = 0.01 / 3600.0;
 /// 300 grains, settled, as the state of a bed at rest.
 const dem::DemState& settled() {
   static const dem::DemState state = [] {
-    auto s = cloud_of(300, 0.1);
+    auto s = cloud_of(300, 0.1, Ranks::alone(), firm);
     Settle settle(s.options, s.start);
     while (settle.advance(s.dem)) {}
     return s.dem.state();
@@ -33,7 +33,7 @@ const dem::DemState& settled() {
 }
 
 dem::Dem bed_at_rest(double inertia_scale) {
-  const auto s = cloud_of(300, 0.1);
+  const auto s = cloud_of(300, 0.1, Ranks::alone(), firm);
   dem::Dem dem(s.dem.options(), settled(), dem::Dem::Lists::as_saved);
   dem.set_background_damping(0.0);
   dem.set_inertia_scale(inertia_scale);
@@ -86,7 +86,7 @@ TEST(CoupledBed, IsCarriedByFloorAndWalls) {
 
 TEST(CoupledBed, TellsThePressureDropOfItsFritsBesides) {
   const auto figures = [](double inlet_resistance, double outlet_resistance) {
-    auto s = cloud_of(50, 0.1);
+    auto s = cloud_of(50, 0.1, Ranks::alone(), firm);
     fluid::Boundaries b;
     b.inlet = fluid::Inlet{.superficial = {}, .frit_resistance = inlet_resistance};
     b.outlet = fluid::Outlet{.pressure = 0.0, .frit_resistance = outlet_resistance};

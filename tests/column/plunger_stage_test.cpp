@@ -23,9 +23,8 @@ using ::testing::HasSubstr;
 constexpr mesh::Slice slice{.inner_diameter = 2e-3, .depth = 0.7e-3, .height = 5e-3};
 constexpr double area = 2e-3 * 0.7e-3;
 
-/// 300 grains, settled with this friction, below a plunger at the upper end of the column.
-dem::DemState settle_grains(double friction) {
-  auto s = cloud_of(300, friction);
+/// Settled grains below a plunger at the upper end of the column.
+dem::DemState settle_grains(Settling s) {
   Settle settle(s.options, s.start);
   while (settle.advance(s.dem)) {}
   s.dem.set_background_damping(0.0);
@@ -34,7 +33,7 @@ dem::DemState settle_grains(double friction) {
 }
 
 const dem::DemState& settled() {
-  static const auto state = settle_grains(0.1);
+  static const auto state = settle_grains(cloud_of(300));
   return state;
 }
 
@@ -84,7 +83,7 @@ TEST(PlungerStage, GoesToAHeightAndFeelsItsContacts) {
   auto dem = bed(settled());
   auto o = options();
   const double top = look_at_bed(dem, area).top;
-  o.value = 0.95 * top;
+  o.value = 0.9 * top;
   PlungerStage stage(o, nullptr);
   stage.begin(dem);
   EXPECT_DOUBLE_EQ(*plunger_position(dem.walls()), top);  // it touches the bed at once
@@ -140,7 +139,7 @@ double largest_way(const dem::Snapshot& from, const dem::Snapshot& to) {
 // A bed without friction that is pressed and let go a little, again and again, comes to a state to which it returns:
 // once no grain snaps into a new place any more.
 TEST(PlungerStage, BringsABedWithoutFrictionBack) {
-  auto dem = bed(settle_grains(0.0));
+  auto dem = bed(settle_grains(cloud_of(300, 0.0)));
   for (auto& wall : dem.walls()) wall.friction = 0.0;
   const double height = look_at_bed(dem, area).height;
   const auto go_to = [&](double share, double speed) {
@@ -169,9 +168,11 @@ TEST(PlungerStage, BringsABedWithoutFrictionBack) {
   EXPECT_LT(change, 1e-6);
 }
 
+// Few grains, but firm: a bed of soft ones gives way to the liquid for long.
 TEST(PlungerStage, ComesToAForceWithoutPassingIt) {
+  const auto start = settle_grains(cloud_of(100, 0.1, Ranks::alone(), firm));
   for (const bool wet : {false, true}) {
-    auto dem = bed(settled());
+    auto dem = bed(start);
     auto water = liquid();
     auto o = options();
     o.target = PlungerTarget::force;
@@ -255,7 +256,7 @@ TEST(PlungerStage, WithdrawsThroughTheLiquid) {
 }
 
 TEST(PlungerStage, GoesOnFromASavedStateWithTheSameBits) {
-  for (const int slices : {3, 25, 60, 120}) {  // while it approaches, and while it presses
+  for (const int slices : {3, 60}) {  // while it approaches, and while it presses
     auto dem = bed(settled());
     auto water = liquid();
     water.set_flow(fluid::FlowProgram::steady(1e-3));

@@ -12,11 +12,13 @@
 
 namespace packbed::test {
 
-/// A hundredth of the modulus of a resin: ten times the step.
-inline constexpr dem::Material soft{.youngs_modulus = 0.3e6, .poisson_ratio = 0.2};
+/// A thousandth of the modulus of a resin: thirty times the step. Enough for the weight of a small bed.
+inline constexpr dem::Material soft{.youngs_modulus = 0.03e6, .poisson_ratio = 0.2};
+/// A hundredth, for beds that bear a flow or a force.
+inline constexpr dem::Material firm{.youngs_modulus = 0.3e6, .poisson_ratio = 0.2};
 
 /// Grains of 200 to 320 um.
-inline dem::BeadProperties grain(std::int64_t id) {
+inline dem::BeadProperties grain(std::int64_t id, const dem::Material& material = soft) {
   const double u = uniform(5, Stream::bead_size, static_cast<std::uint64_t>(id));
   const double diameter = 200e-6 + 120e-6 * u;
   return {.id = id,
@@ -24,7 +26,7 @@ inline dem::BeadProperties grain(std::int64_t id) {
           .density = density_s,
           .mass = mass_of(diameter, density_s),
           .weight = 0.0,
-          .material = soft,
+          .material = material,
           .fixed = false};
 }
 
@@ -37,13 +39,14 @@ struct Settling {
 /// `count` grains as a cloud in a slice of 2 mm x 0.7 mm, with a floor, walls and a lid out of the way.
 inline Settling cloud_of(std::int64_t count,
                          double friction = 0.1,
-                         const Ranks& ranks = Ranks::alone()) {
+                         const Ranks& ranks = Ranks::alone(),
+                         const dem::Material& material = soft) {
   const mesh::Slice slice{.inner_diameter = 2e-3, .depth = 0.7e-3, .height = 0.1};
   std::vector<dem::BeadStart> beads;
   std::vector<double> diameters;
   std::vector<dem::BeadProperties> properties;
   for (std::int64_t id = 0; id < count; ++id) {
-    properties.push_back(grain(id));
+    properties.push_back(grain(id, material));
     diameters.push_back(properties.back().diameter);
   }
   const auto cloud = dem::make_cloud({.shape = slice, .seed = 1}, diameters);
@@ -72,7 +75,7 @@ inline Settling cloud_of(std::int64_t count,
   settle.liquid_density = 998.0;
   settle.resin_friction = friction;
   settle.resin_rolling_friction = 0.35;
-  settle.bead = grain;
+  settle.bead = [material](std::int64_t id) { return grain(id, material); };
   settle.stepping.longest_step = choice.contact_time / dem::fewest_steps_per_contact;
   settle.slice = 200;
   column::SettleState start;
