@@ -10,6 +10,7 @@
 #include "column/protocol/settled_porosity.hpp"
 #include "column/protocol/weight.hpp"
 #include "core/error.hpp"
+#include "dem/step_choice.hpp"
 
 namespace packbed::column {
 namespace {
@@ -21,8 +22,10 @@ constexpr double landed_speed = 0.3;  // of a bead that falls no more / sqrt(g d
 constexpr std::int32_t most_falls = 2;
 constexpr std::int32_t most_count_changes = 6;
 constexpr std::int32_t most_corrections = 3;
-constexpr double fall_time = 8.0;    // damping time of the fall / falling time: decision 10
-constexpr double near_height = 0.5;  // distance from the height asked for / mean diameter
+constexpr double fall_time = 8.0;       // damping time of the fall / falling time: decision 10
+constexpr double near_height = 0.5;     // distance from the height asked for / mean diameter
+constexpr double height_limit = 1e-2;   // unbalanced / contact force from which on a height counts
+constexpr double wetting_swings = 2.0;  // of the bed, in which the liquid comes to bear its share
 // Densification. Friction fades slowly, and waits where the bed gives way, so that the bed follows
 // from balance to balance and stands as soon as friction comes back. Times are falling times.
 constexpr std::int64_t look_every = 100;  // steps between looks at the porosity
@@ -47,6 +50,7 @@ bool Settle::advance(dem::Dem& dem) {
   if (state_.phase == SettlePhase::done) return false;
   if (state_.phase == SettlePhase::start) begin(dem);
   choose_step(options_.stepping, dem);
+  if (state_.phase == SettlePhase::submerge) wet(dem);
   run_slice(dem);
   look(dem);
   switch (state_.phase) {
@@ -54,13 +58,17 @@ bool Settle::advance(dem::Dem& dem) {
       if (has_landed(dem)) enter_rest(SettlePhase::rest, dem);
       break;
     case SettlePhase::rest:
-      if (is_at_rest(options_.rest_limit)) after_rest(dem);
+      if (is_at_rest(options_.rest_limit)) {
+        after_rest(dem);
+      } else if (options_.bed_height && !options_.porosity && is_at_rest(height_limit)) {
+        has_height(near_height, dem);
+      }
       break;
     case SettlePhase::densify:
       after_densify(dem);
       break;
     case SettlePhase::submerge:
-      if (rests_for_good(dem)) after_submerge(dem);
+      if (is_wet(dem) && rests_for_good(dem)) after_submerge(dem);
       break;
     default:
       break;
@@ -188,8 +196,26 @@ void Settle::after_rest(dem::Dem& dem) {
   if (options_.bed_height && !has_height(near_height, dem)) return;
   dem.set_friction(options_.resin_friction);
   dem.set_rolling_friction(options_.resin_rolling_friction);
-  weigh(options_.liquid_density, dem);
   enter_rest(SettlePhase::submerge, dem);
+  state_.wetting_time = wetting_time();
+}
+
+// Little by little: a bed that loses most of its weight at once throws up its grains. It swings once in about
+// 7 H/d contact times.
+double Settle::wetting_time() const {
+  const double contact_time = options_.stepping.longest_step * dem::fewest_steps_per_contact;
+  return wetting_swings * 7.0 * bed_.height / bed_.mean_diameter * contact_time;
+}
+
+void Settle::wet(dem::Dem& dem) const {
+  const double t = std::min((dem.time() - state_.phase_start) / state_.wetting_time, 1.0);
+  weigh(t * t * (3.0 - 2.0 * t) * options_.liquid_density, dem);
+}
+
+bool Settle::is_wet(const dem::Dem& dem) const {
+  const double slice = static_cast<double>(options_.slice) * dem.options().step;
+  // The last slice bore the final weight.
+  return dem.time() - state_.phase_start > state_.wetting_time + slice;
 }
 
 // Whether the bed has the porosity asked for; if not, what brings it there is begun.

@@ -70,6 +70,7 @@ struct SettleState {
   std::int64_t slices = 0;        ///< done
   std::int64_t phase_slices = 0;  ///< done of this phase
   double phase_start = 0.0;       ///< time when this phase began [s]
+  double wetting_time = 0.0;      ///< in which the weight becomes that in the liquid [s]
   std::int64_t next_id = 0;       ///< of the next bead that is added
   double friction = 0.0;          ///< bead on bead, at which the bed settles
   double looseness = 1.0;         ///< share of friction that densification has left
@@ -111,6 +112,7 @@ class Settle {
   void enter(SettlePhase phase, const dem::Dem& dem);
   void weigh(double liquid_density, dem::Dem& dem) const;
   void enter_fall(dem::Dem& dem);
+  void wet(dem::Dem& dem) const;
   void enter_rest(SettlePhase phase, dem::Dem& dem);
   void after_rest(dem::Dem& dem);
   void after_densify(dem::Dem& dem);
@@ -123,6 +125,8 @@ class Settle {
   bool has_porosity(dem::Dem& dem);
   bool has_height(double near, dem::Dem& dem);
   [[nodiscard]] bool has_landed(const dem::Dem& dem) const;
+  [[nodiscard]] double wetting_time() const;
+  [[nodiscard]] bool is_wet(const dem::Dem& dem) const;
   [[nodiscard]] bool is_at_rest(double unbalanced) const;
   [[nodiscard]] double working_friction() const;
   [[nodiscard]] double area() const { return mesh::cross_section(options_.shape); }

@@ -20,6 +20,7 @@ void visit(State& s, Visit value) {
   value("slices", s.slices);
   value("phase_slices", s.phase_slices);
   value("phase_start", s.phase_start);
+  value("wetting_time", s.wetting_time);
   value("next_id", s.next_id);
   value("friction", s.friction);
   value("looseness", s.looseness);
