@@ -256,10 +256,22 @@ void Outputs::set_settled(const dem::Dem& dem) {
     reference_.reset();  // a bed too low for sections has none
     return;
   }
-  if (dem.ranks().is_first() && !sections_) {
-    sections_.emplace(folder_ / "sections.csv", section_columns);
-  }
+  open_sections();
   write_sections(dem);
+}
+
+void Outputs::take_settled(const Json& saved) {
+  const auto before = row_figures_from(saved.at("figures"));
+  figures_.settled_height = before.settled_height;
+  figures_.settled_porosity = before.settled_porosity;
+  if (saved.at("reference").is_null()) return;
+  reference_ = section_reference_from(saved.at("reference"));
+  open_sections();
+}
+
+void Outputs::open_sections() {
+  if (!Ranks::all().is_first() || sections_) return;
+  sections_.emplace(folder_ / "sections.csv", section_columns);
 }
 
 void Outputs::write_sections(const dem::Dem& dem) {

@@ -76,6 +76,8 @@ class Outputs {
   void stage_end(const dem::Dem& dem, const column::CoupledBed* liquid, std::int64_t stage);
   /// The bed as it is now is the settled one: heights and sections are compared with it from now on.
   void set_settled(const dem::Dem& dem);
+  /// The settled bed that another run knew, from its save(): compared with from now on. Nothing if it knew none.
+  void take_settled(const nlohmann::ordered_json& saved);
 
   /// How far the files go. Numbers come back to the last bit.
   [[nodiscard]] nlohmann::ordered_json save() const;
@@ -85,6 +87,7 @@ class Outputs {
  private:
   void load(const nlohmann::ordered_json& saved);
   void write_row(const dem::Dem& dem, const dem::Snapshot& s, std::int64_t stage);
+  void open_sections();
   void write_sections(const dem::Dem& dem);
   void write_profiles(const dem::Dem& dem, std::int64_t stage) const;
   void write_bead_csv(const dem::Snapshot& s);

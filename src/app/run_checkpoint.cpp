@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "app/liquid_file.hpp"
+#include "column/plunger.hpp"
 #include "core/error.hpp"
 #include "core/version.hpp"
 #include "io/dem_state_file.hpp"
@@ -113,7 +114,7 @@ fs::path write_checkpoint(const setup::Case& c,
   return file;
 }
 
-dem::DemState take_bed(const setup::Case& c, double step) {
+TakenBed take_bed(const setup::Case& c, double step) {
   const auto place = folder_of_checkpoints(*c.beads.run);
   const auto file = io::latest_checkpoint(place);
   if (!file) {
@@ -131,6 +132,7 @@ dem::DemState take_bed(const setup::Case& c, double step) {
   auto state = io::read_dem_state(reader, setup::make_walls(c));
   const auto options = setup::options_of(c, step);
   const auto before = state.progress;
+  const auto plunger = column::plunger_position(state.walls);
   state.walls = setup::make_walls(c);
   state.progress = {.step = step,
                     .skin = before.skin,
@@ -150,7 +152,7 @@ dem::DemState take_bed(const setup::Case& c, double step) {
                                              c.resin.density.value_or(old.density), material);
     bead.properties.fixed = fixed;
   }
-  return state;
+  return {.beads = std::move(state), .plunger = plunger, .outputs = run.at("outputs")};
 }
 
 void prune_checkpoints(const fs::path& folder, int keep) {

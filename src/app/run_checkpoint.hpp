@@ -47,10 +47,17 @@ struct LoadedCheckpoint {
   RunState state;
 };
 
-/// The beads at the end of the run `c.beads.run`, as the start of this case: where they are, with their springs;
+/// A bed at the end of another run.
+struct TakenBed {
+  dem::DemState beads;
+  std::optional<double> plunger;   ///< where it stood [m]
+  nlohmann::ordered_json outputs;  ///< Outputs::save() of that run
+};
+
+/// The bed at the end of the run `c.beads.run`, as the start of this case: beads where they are, with their springs;
 /// laws, walls and properties are those of the case. Throws ConfigError if column or sizes of beads differ,
 /// naming the key; DataError if the checkpoint is truncated or altered.
-dem::DemState take_bed(const setup::Case& c, double step);
+TakenBed take_bed(const setup::Case& c, double step);
 
 /// The last checkpoint in the run's folder. Throws ConfigError if there is none, or if it belongs to
 /// another case (naming the first key that differs) or another version of the program; DataError

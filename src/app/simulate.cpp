@@ -78,10 +78,10 @@ class Simulation {
  private:
   void start() {
     log_.line(fmt::format("packbed {}, case {}", version, c_.file.string()));
+    std::optional<TakenBed> taken;
     if (c_.beads.run) {
-      dem_.emplace(setup::options_of(c_, choice_.step), take_bed(c_, choice_.step),
-                   dem::Dem::Lists::anew, Ranks::all());
-      log_.line(fmt::format("bed taken from {}", c_.beads.run->string()));
+      taken = take_bed(c_, choice_.step);
+      put_in(*taken);
     } else {
       dem_.emplace(setup::make_dem(c_, choice_.step, Ranks::all()));
     }
@@ -95,9 +95,21 @@ class Simulation {
         choice_.stable_in_a_bed));
     outputs_.emplace(c_, folder_, *dem_, nullptr);
     progress_.emplace(0);
+    if (taken) outputs_->take_settled(taken->outputs);
     outputs_->row(*dem_, nullptr, 0);
-    if (c_.beads.run) outputs_->set_settled(*dem_);
+    if (taken && outputs_->figures().settled_height == 0.0) outputs_->set_settled(*dem_);
     outputs_->stage_end(*dem_, nullptr, 0);
+  }
+
+  void put_in(const TakenBed& bed) {
+    dem_.emplace(setup::options_of(c_, choice_.step), bed.beads, dem::Dem::Lists::anew,
+                 Ranks::all());
+    auto words = fmt::format("bed taken from {}", c_.beads.run->string());
+    if (bed.plunger && bed.plunger != column::plunger_position(dem_->walls())) {
+      column::place_plunger(*bed.plunger, *dem_);
+      words += fmt::format(", plunger at {:.4f} mm", 1e3 * *bed.plunger);
+    }
+    log_.line(words);
   }
 
   void go_on() {

@@ -79,6 +79,28 @@ TEST_F(BedOfARun, FlowsOnTwoRanksAsOnOne) {
   EXPECT_NEAR(summary("two")["pressure_drop_at_highest_flow_Pa"], drop, 1e-6 * drop);
 }
 
+// What was packed stays packed, and is compared with the bed as it had settled.
+TEST_F(BedOfARun, StaysBelowItsPlunger) {
+  const std::string column_of_beds = text("1.2 mm", 3);
+  write("pack.toml",
+        column_of_beds + taken +
+            "[[protocol]]\nstep = \"compress\"\nspeed = \"5 mm/s\"\ncompression = \"5 %\"\n");
+  ASSERT_EQ(run_packbed("run pack.toml -n 1 -o packed", folder_).code, 0);
+  write("load.toml", column_of_beds + "[beads]\nrun = \"packed\"\n[[protocol]]\nstep = \"hold\"\n" +
+                         "flow = \"100 cm/h\"\nduration = \"20 ms\"\n");
+  const auto run = run_packbed("run load.toml -n 1 -o loaded", folder_);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto settled = summary("settled");
+  const auto packed = summary("packed");
+  const auto loaded = summary("loaded");
+  EXPECT_EQ(loaded["settled_height_m"], settled["bed_height_m"]);
+  EXPECT_EQ(loaded["settled_porosity"], settled["settled_porosity"]);
+  EXPECT_LT(loaded["bed_height_m"], 0.98 * settled["bed_height_m"].get<double>());
+  EXPECT_NEAR(loaded["bed_height_m"], packed["bed_height_m"],
+              2e-3 * settled["bed_height_m"].get<double>());
+  EXPECT_THAT(read_text_file(folder_ / "loaded/run.log"), HasSubstr(", plunger at "));
+}
+
 TEST_F(BedOfARun, IsRefusedInAnotherColumnOrOfOtherGrains) {
   write("wide.toml", text("1.4 mm", 3) + taken);
   EXPECT_THAT(run_packbed("run wide.toml -n 1 -o w", folder_).err,
