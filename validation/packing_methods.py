@@ -44,10 +44,10 @@ METHODS = {
     "dac_then_flow": DAC.format(10) + FLOW.format(20),
     "alternating": "".join(FLOW.format(5 * k + 2.5) + DAC.format(5 * k + 5) for k in range(4)),
 }
+STORE = '\n[[protocol]]\nstep = "store"\nhold_limit = "1 s"\n'
 LOADS = {
-    "cycles": '\n[[protocol]]\nstep = "store"\nhold_limit = "1 s"\n'
-              '\n[[protocol]]\nstep = "cycle"\ncount = 10\nhold_limit = "1 s"\n',
-    "series": '\n[[protocol]]\nstep = "store"\nhold_limit = "1 s"\n' + "".join(
+    "cycles": '\n[[protocol]]\nstep = "cycle"\ncount = 10\nhold_limit = "1 s"\n',
+    "series": "".join(
         f'\n[[protocol]]\nstep = "hold"\nduration = "1 s"\nflow = "{load} RHL"\n' for load in (0.25, 0.5, 0.75, 1.0, 1.25)),
 }
 SEEDS = (1, 2, 3)
@@ -66,8 +66,10 @@ def run_piece(piece):
     column = COLUMN.format(seed=seed)
     bed = WORK / f"bed-{seed}"
     runs.run(column + BED, bed)
+    packed = WORK / f"packed-{method}-{seed}"
+    runs.run(column + f'[beads]\nrun = "{bed}"\n' + METHODS[method] + STORE, packed)
     folder = WORK / piece
-    runs.run(column + f'[beads]\nrun = "{bed}"\n' + METHODS[method] + LOADS[load], folder)
+    runs.run(column + f'[beads]\nrun = "{packed}"\n' + LOADS[load], folder)
     print(",".join(COLUMNS))
     for row in runs.rows(folder / "analysis" / "analysis.csv"):
         print(",".join(row[name] for name in COLUMNS))
