@@ -62,6 +62,8 @@ std::vector<std::string> words_of(int ranks, const RunCommand& command) {
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   const int nothing = open("/dev/null", O_RDONLY);
   dup2(nothing, STDIN_FILENO);
+  // A rank that waits lets other programs have its core: else they keep it from the rank that is waited for.
+  setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);  // NOLINT(concurrency-mt-unsafe): one thread
   std::vector<char*> arguments;
   for (auto& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
