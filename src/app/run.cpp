@@ -69,7 +69,7 @@ void tell_results(const RunSummary& r) {
         r.beads, 1e3 * f.bed.height, f.bed.middle_porosity, f.coordination_number,
         f.unbalanced_force);
   }
-  if (r.has_flow) {
+  if (f.highest_flow.bed_height > 0.0) {  // a plunger alone has none
     fmt::print(
         "Highest flow {:.4g} cm/h: pressure drop {:.4g} bar, {:.4g} bar/m of a bed of {:.3f} mm\n",
         f.highest_flow.velocity * 3.6e5, 1e-5 * f.highest_flow.pressure_drop,
