@@ -183,15 +183,15 @@ struct Noise {
   double height = 0.0;
 };
 
-/// From 0.22 to 0.3 s at 500 cm/h. Drift is no noise: second differences.
+/// From 0.12 to 0.18 s at 500 cm/h. Drift is no noise: second differences.
 Noise noise_of(coupling::Scheme scheme, double interval, double inertia_scale) {
   auto dem = bed_at_rest(inertia_scale);
   auto bed = liquid(scheme);
   bed.start(dem);
   bed.set_flow(fluid::FlowProgram::steady(500 * cm_h));
-  run(bed, dem, 0.22, interval);
+  run(bed, dem, 0.12, interval);
   std::vector<double> drops;
-  for (int k = 0; k < std::lround(0.08 / interval); ++k) {
+  for (int k = 0; k < std::lround(0.06 / interval); ++k) {
     run(bed, dem, interval, interval);
     drops.push_back(bed.figures().pressure_drop);
   }

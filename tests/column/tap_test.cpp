@@ -26,15 +26,15 @@ TEST(Tap, MakesALooseBedDenser) {
   const auto loose = settle.state();
   Tap tap({.amplitude = 0.15e-3,
            .frequency = 100.0,
-           .count = 8,
+           .count = 4,
            .area = 2e-3 * 0.7e-3,
            .stepping = s.options.stepping,
            .slice = 200});
   const double start = s.dem.time();
   while (tap.advance(s.dem)) {}
   const auto end = tap.state();
-  EXPECT_EQ(end.taps, 8);
-  EXPECT_GT(s.dem.time() - start, 8 * 0.01);
+  EXPECT_EQ(end.taps, 4);
+  EXPECT_GT(s.dem.time() - start, 4 * 0.01);
   EXPECT_LT(end.unbalanced, 1e-6);
   EXPECT_LT(end.porosity, loose.porosity - 0.005);
   EXPECT_LT(end.bed_height, loose.bed_height);
