@@ -61,6 +61,12 @@ struct Snapshot {
   double coordination_number;         ///< touching pairs of beads, two per pair, per bead
 };
 
+/// A velocity that a bead is given.
+struct NewVelocity {
+  std::int64_t id = 0;
+  Vec3 v;  ///< [m/s]
+};
+
 struct ContactTerms;  // of a snapshot
 
 class Dem {
@@ -99,6 +105,8 @@ class Dem {
   /// Weight less buoyancy, downwards [N], of each bead.
   void set_weights(const std::function<double(const BeadProperties&)>& weight);
   void set_inertia_scale(double scale);
+  /// Named on rank 0; all ranks call it.
+  void set_velocities(const std::vector<NewVelocity>& velocities);
   /// Puts the beads into a liquid that does not pull yet, or takes them out. All ranks call it.
   void set_in_liquid(bool in_liquid) { dem::set_in_liquid(in_liquid, particles_); }
   /// One per bead of particles(), in a liquid; it acts from the next step on and stays with its bead. That

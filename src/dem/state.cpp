@@ -275,6 +275,20 @@ void Dem::set_weights(const std::function<double(const BeadProperties&)>& weight
   }
 }
 
+void Dem::set_velocities(const std::vector<NewVelocity>& velocities) {
+  const auto size = static_cast<std::size_t>(ranks_.size());
+  std::vector<std::vector<NewVelocity>> to_each(size);
+  if (ranks_.is_first()) std::ranges::fill(to_each, velocities);
+  std::unordered_map<std::int64_t, Vec3> by_id;
+  const auto from_each = ranks_.exchange(to_each);
+  for (const auto& n : from_each.front()) by_id[n.id] = n.v;
+  if (by_id.empty()) return;
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    const auto found = by_id.find(particles_.properties[i].id);
+    if (found != by_id.end()) particles_.motion[i].v = found->second;  // halo beads too
+  }
+}
+
 void Dem::set_inertia_scale(double scale) {
   options_.inertia_scale = scale;
   for (std::size_t i = 0; i < particles_.size(); ++i) {

@@ -8,6 +8,7 @@
 
 #include "column/protocol/settle_beads.hpp"
 #include "column/protocol/settled_porosity.hpp"
+#include "column/protocol/tipping.hpp"
 #include "column/protocol/weight.hpp"
 #include "core/error.hpp"
 #include "dem/step_choice.hpp"
@@ -25,6 +26,8 @@ constexpr std::int32_t most_corrections = 3;
 constexpr double fall_time = 8.0;       // damping time of the fall / falling time: decision 10
 constexpr double near_height = 0.5;     // distance from the height asked for / mean diameter
 constexpr double height_limit = 1e-2;   // unbalanced / contact force from which on a height counts
+constexpr double standing = 1e-3;       // likewise, below which beads that move are single ones
+constexpr double tipping_speed = 0.1;   // of a bead that tips over / sqrt(g d / inertia scale)
 constexpr double wetting_swings = 2.0;  // of the bed, in which the liquid comes to bear its share
 // Densification. Friction fades slowly, and waits where the bed gives way, so that the bed follows
 // from balance to balance and stands as soon as friction comes back. Times are falling times.
@@ -121,7 +124,10 @@ void Settle::run_slice(dem::Dem& dem) {
   if (state_.phase == SettlePhase::densify) {
     run_densifying(dem);
   } else {
-    dem.run(options_.slice);
+    const auto tail = std::min(look_every, options_.slice);
+    dem.run(options_.slice - tail);
+    if (may_tip(dem)) before_ = dem.snapshot();
+    dem.run(tail);
   }
   dem.check_overlaps();
   ++state_.slices;
@@ -136,9 +142,18 @@ void Settle::run_densifying(dem::Dem& dem) {
   }
 }
 
-void Settle::look(const dem::Dem& dem) {
+// The bed stands but for single beads.
+bool Settle::may_tip(const dem::Dem& dem) const {
+  const bool rests =
+      state_.phase == SettlePhase::rest || (state_.phase == SettlePhase::submerge && is_wet(dem));
+  return rests && state_.unbalanced < standing;
+}
+
+void Settle::look(dem::Dem& dem) {
   bed_ = look_at_bed(dem, area());
-  rest_ = rest_of(dem);
+  const auto now = dem.snapshot();
+  rest_ = rest_of(dem, now);
+  push_tipping(now, dem);
   state_.height_before = state_.bed_height;
   state_.porosity_before = state_.porosity;
   state_.bed_height = bed_.height;
@@ -147,6 +162,14 @@ void Settle::look(const dem::Dem& dem) {
   state_.coordination = rest_.coordination;
   state_.max_overlap = rest_.max_overlap;
   state_.speed = rest_.speed;
+}
+
+void Settle::push_tipping(const dem::Snapshot& now, dem::Dem& dem) {
+  if (!before_) return;
+  const double fall = bed_.mean_diameter / falling_time(bed_.mean_diameter, options_.gravity, dem);
+  dem.set_velocities(tipping_beads(
+      *before_, now, {.slowest = options_.speed_limit, .speed = tipping_speed * fall}));
+  before_.reset();
 }
 
 void Settle::enter(SettlePhase phase, const dem::Dem& dem) {

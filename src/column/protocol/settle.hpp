@@ -108,7 +108,9 @@ class Settle {
   void fall(dem::Dem& dem);
   void run_slice(dem::Dem& dem);
   void run_densifying(dem::Dem& dem);
-  void look(const dem::Dem& dem);
+  void push_tipping(const dem::Snapshot& now, dem::Dem& dem);
+  [[nodiscard]] bool may_tip(const dem::Dem& dem) const;
+  void look(dem::Dem& dem);
   void enter(SettlePhase phase, const dem::Dem& dem);
   void weigh(double liquid_density, dem::Dem& dem) const;
   void enter_fall(dem::Dem& dem);
@@ -135,6 +137,7 @@ class Settle {
   SettleOptions options_;
   SettleState state_;
   // Of this slice.
+  std::optional<dem::Snapshot> before_;  ///< shortly before its end
   Rest rest_;
   BedLook bed_;
 };
