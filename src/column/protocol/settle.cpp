@@ -142,11 +142,9 @@ void Settle::run_densifying(dem::Dem& dem) {
   }
 }
 
-// The bed stands but for single beads.
+// In a bed that stands but for single beads. Dry ones tip by themselves within some milliseconds.
 bool Settle::may_tip(const dem::Dem& dem) const {
-  const bool rests =
-      state_.phase == SettlePhase::rest || (state_.phase == SettlePhase::submerge && is_wet(dem));
-  return rests && state_.unbalanced < standing;
+  return state_.phase == SettlePhase::submerge && is_wet(dem) && state_.unbalanced < standing;
 }
 
 void Settle::look(dem::Dem& dem) {
