@@ -23,10 +23,10 @@ constexpr double landed_speed = 0.3;  // of a bead that falls no more / sqrt(g d
 constexpr std::int32_t most_falls = 2;
 constexpr std::int32_t most_count_changes = 6;
 constexpr std::int32_t most_corrections = 3;
+constexpr std::int64_t most_pushes = 100;
 constexpr double fall_time = 8.0;       // damping time of the fall / falling time: decision 10
 constexpr double near_height = 0.5;     // distance from the height asked for / mean diameter
 constexpr double height_limit = 1e-2;   // unbalanced / contact force from which on a height counts
-constexpr double standing = 1e-3;       // likewise, below which beads that move are single ones
 constexpr double tipping_speed = 0.1;   // of a bead that tips over / sqrt(g d / inertia scale)
 constexpr double wetting_swings = 2.0;  // of the bed, in which the liquid comes to bear its share
 // Densification. Friction fades slowly, and waits where the bed gives way, so that the bed follows
@@ -126,7 +126,7 @@ void Settle::run_slice(dem::Dem& dem) {
   } else {
     const auto tail = std::min(look_every, options_.slice);
     dem.run(options_.slice - tail);
-    if (may_tip(dem)) before_ = dem.snapshot();
+    if (may_tip()) before_ = dem.snapshot();
     dem.run(tail);
   }
   dem.check_overlaps();
@@ -142,10 +142,8 @@ void Settle::run_densifying(dem::Dem& dem) {
   }
 }
 
-// In a bed that stands but for single beads. Dry ones tip by themselves within some milliseconds.
-bool Settle::may_tip(const dem::Dem& dem) const {
-  return state_.phase == SettlePhase::submerge && is_wet(dem) && state_.unbalanced < standing;
-}
+// In a bed that rests but for single beads. Sooner, pushes would keep it moving.
+bool Settle::may_tip() const { return state_.resting_since >= 0.0 && state_.pushes < most_pushes; }
 
 void Settle::look(dem::Dem& dem) {
   bed_ = look_at_bed(dem, area());
@@ -165,9 +163,11 @@ void Settle::look(dem::Dem& dem) {
 void Settle::push_tipping(const dem::Snapshot& now, dem::Dem& dem) {
   if (!before_) return;
   const double fall = bed_.mean_diameter / falling_time(bed_.mean_diameter, options_.gravity, dem);
-  dem.set_velocities(tipping_beads(
-      *before_, now, {.slowest = options_.speed_limit, .speed = tipping_speed * fall}));
+  const auto pushed = push_tipping_beads(
+      *before_, now, {.slowest = options_.speed_limit, .speed = tipping_speed * fall}, dem);
   before_.reset();
+  state_.pushes += pushed;
+  if (pushed > 0) state_.resting_since = dem.time();
 }
 
 void Settle::enter(SettlePhase phase, const dem::Dem& dem) {

@@ -86,6 +86,7 @@ struct SettleState {
   double speed = 0.0;  ///< of the fastest bead [m/s]
   double resting_since =
       -1.0;  ///< time from which on all but its speed counts as rest [s]; < 0: not yet
+  std::int64_t pushes = 0;       ///< of beads that tipped over
   double height_before = 0.0;    ///< one slice earlier [m]
   double porosity_before = 1.0;  ///< likewise
 };
@@ -109,7 +110,7 @@ class Settle {
   void run_slice(dem::Dem& dem);
   void run_densifying(dem::Dem& dem);
   void push_tipping(const dem::Snapshot& now, dem::Dem& dem);
-  [[nodiscard]] bool may_tip(const dem::Dem& dem) const;
+  [[nodiscard]] bool may_tip() const;
   void look(dem::Dem& dem);
   void enter(SettlePhase phase, const dem::Dem& dem);
   void weigh(double liquid_density, dem::Dem& dem) const;

@@ -25,12 +25,15 @@ void visit(State& s, Visit value) {
   value("friction", s.friction);
   value("looseness", s.looseness);
   value("aim", s.aim);
+  value("sag", s.sag);
+  value("stopped_at", s.stopped_at);
   value("bed_height", s.bed_height);
   value("porosity", s.porosity);
   value("unbalanced", s.unbalanced);
   value("coordination", s.coordination);
   value("speed", s.speed);
   value("resting_since", s.resting_since);
+  value("pushes", s.pushes);
   value("max_overlap", s.max_overlap);
   value("height_before", s.height_before);
   value("porosity_before", s.porosity_before);
@@ -99,6 +102,7 @@ std::string SettleStage::result(const dem::Dem& dem) const {
       dem.bead_count(), 1e3 * s.bed_height, s.porosity, s.coordination, s.unbalanced, s.friction,
       s.count_changes);
   if (settle_.options().porosity) text += way_to_porosity(s, settle_.options());
+  if (s.pushes > 0) text += fmt::format("; {} pushes of grains that tipped over", s.pushes);
   if (s.speed > settle_.options().speed_limit) {
     text += fmt::format("; one between others still rolls, at {:.2g} m/s", s.speed);
   }

@@ -2,6 +2,7 @@
 #include "column/protocol/tipping.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace packbed::column {
@@ -49,6 +50,17 @@ std::vector<dem::NewVelocity> tipping_beads(const dem::Snapshot& before,
     pushed.push_back({.id = now.beads[i].id, .v = (limits.speed / speed) * now.v[i]});
   }
   return pushed;
+}
+
+std::int64_t push_tipping_beads(const dem::Snapshot& before,
+                                const dem::Snapshot& now,
+                                const TippingLimits& limits,
+                                dem::Dem& dem) {
+  const auto pushed = tipping_beads(before, now, limits);
+  dem.set_velocities(pushed);
+  std::array<std::int64_t, 1> count = {static_cast<std::int64_t>(pushed.size())};
+  dem.ranks().sum(count);
+  return count[0];
 }
 
 }  // namespace packbed::column

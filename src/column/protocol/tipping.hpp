@@ -26,4 +26,10 @@ std::vector<dem::NewVelocity> tipping_beads(const dem::Snapshot& before,
                                             const dem::Snapshot& now,
                                             const TippingLimits& limits);
 
+/// Gives them these velocities and returns how many they are. All ranks call it.
+std::int64_t push_tipping_beads(const dem::Snapshot& before,
+                                const dem::Snapshot& now,
+                                const TippingLimits& limits,
+                                dem::Dem& dem);
+
 }  // namespace packbed::column
