@@ -135,7 +135,6 @@ column::SettleOptions settle_options(const Case& c,
   if (first && makes_beads(c) && has_lid(c.column.shape)) o.lid = mesh::height(c.column.shape);
   o.stepping = stepping(c, step);
   o.fall_damping = c.numerics.background_damping;
-  if (o.fall_damping) o.rest_damping = 0.125 * *o.fall_damping;
   o.damping_after = damping_rate(c);
   return o;
 }

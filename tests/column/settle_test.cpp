@@ -2,11 +2,13 @@
 #include "column/protocol/settle.hpp"
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "column/protocol/settle_stage.hpp"
 #include "core/error.hpp"
 #include "dem/state.hpp"
 #include "tests/support/message_of.hpp"
@@ -100,6 +102,33 @@ TEST(Settle, ReachesAPorosityBelowThatOfItsFriction) {
   EXPECT_GT(end.coordination, before.coordination);
   EXPECT_EQ(s.dem.options().model.friction, 0.1);
   EXPECT_EQ(std::get<dem::ElasticPlastic>(s.dem.options().model.rolling).mu_r, 0.35);
+}
+
+// What a checkpoint holds of the stage, where the bed is made denser, too.
+TEST(SettleStage, GoesOnFromWhatItSavedWithTheSameBits) {
+  auto loose = cloud_of(150);
+  const double porosity = settle(loose).porosity - 0.012;
+  const auto centers = [&](int slices_at_a_time) {
+    auto s = cloud_of(150);
+    s.options.porosity = porosity;
+    auto stage = std::make_unique<SettleStage>(s.options, 1.0);
+    stage->begin(s.dem);
+    int slices = 0;
+    while (stage->advance(s.dem) != After::end) {
+      if (++slices % slices_at_a_time != 0) continue;
+      const auto saved = nlohmann::ordered_json::parse(stage->save().dump());
+      stage = std::make_unique<SettleStage>(s.options, 1.0);
+      stage->load(saved);
+    }
+    return s.dem.snapshot().x;
+  };
+  const auto whole = centers(1'000'000);
+  const auto parts = centers(1);
+  ASSERT_EQ(parts.size(), whole.size());
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    EXPECT_EQ(parts[i].x, whole[i].x) << i;
+    EXPECT_EQ(parts[i].z, whole[i].z) << i;
+  }
 }
 
 TEST(Settle, SaysWhichPorositiesCannotBe) {
