@@ -56,7 +56,7 @@ std::vector<std::string> columns(const dem::Dem& dem,
   return names;
 }
 
-void check_finite(const dem::Dem& dem, const dem::Snapshot& s) {
+void check_finite(const dem::Dem& dem, const dem::Sums& s) {
   if (std::isfinite(s.kinetic_energy) && std::isfinite(s.elastic_energy)) return;
   throw DivergenceError(fmt::format(
       "step {}, time {:.6g} s: the energy of the beads is not a finite number; start them "
@@ -71,19 +71,18 @@ struct Support {
   double load = 0.0;   ///< weight of the beads, and what the lid adds
 };
 
-Support support_of(const dem::Dem& dem, const dem::Snapshot& s) {
+Support support_of(const dem::Dem& dem, const dem::Sums& s) {
   Support support;
   for (std::size_t w = 0; w < s.wall_force.size(); ++w) {
     const auto& name = dem.walls()[w].name;
     const double down = -s.wall_force[w].z;
     (name == "floor" ? support.floor : name == "lid" ? support.load : support.shear) += down;
   }
-  support.load *= -1.0;
-  for (const auto& bead : s.beads) support.load += bead.weight;
+  support.load = s.weight - support.load;
   return support;
 }
 
-RowFigures::Plunger plunger_of(const dem::Dem& dem, const dem::Snapshot& s) {
+RowFigures::Plunger plunger_of(const dem::Dem& dem, const dem::Sums& s) {
   for (std::size_t w = 0; w < s.wall_force.size(); ++w) {
     if (dem.walls()[w].name != "lid") continue;
     return {.position = column::plunger_position(dem.walls()).value_or(column::lid_away),
@@ -171,7 +170,7 @@ Outputs::Outputs(const setup::Case& c,
 }
 
 void Outputs::row(const dem::Dem& dem, const column::CoupledBed* liquid, std::int64_t stage) {
-  const auto s = dem.snapshot();
+  const auto s = dem.sums();
   check_finite(dem, s);
   if (has_bed_) {
     figures_.bed = analysis::bed_figures(analysis::own_beads(dem.particles()),
@@ -198,6 +197,7 @@ void Outputs::row(const dem::Dem& dem, const column::CoupledBed* liquid, std::in
           : 0.0;
   if (reference_) write_sections(dem);
   if (series_) write_row(dem, s, stage);
+  if (case_.output.beads_csv) write_bead_csv(dem.snapshot());
   const auto& interval = case_.output.frame_interval;
   if (!frames_ || !interval) return;
   constexpr double rounding = 1e-9;
@@ -209,7 +209,7 @@ void Outputs::row(const dem::Dem& dem, const column::CoupledBed* liquid, std::in
 }
 
 /// The cells of a row, in the order of columns().
-void Outputs::write_row(const dem::Dem& dem, const dem::Snapshot& s, std::int64_t stage) {
+void Outputs::write_row(const dem::Dem& dem, const dem::Sums& s, std::int64_t stage) {
   const io::Cell none{std::string()};
   std::vector<io::Cell> row = {s.time, dem.steps(), stage};
   if (has_liquid_) {
@@ -238,7 +238,6 @@ void Outputs::write_row(const dem::Dem& dem, const dem::Snapshot& s, std::int64_
     for (const double component : as_array(force)) row.emplace_back(component);
   }
   series_->row(row);
-  if (case_.output.beads_csv) write_bead_csv(s);
 }
 
 void Outputs::stage_end(const dem::Dem& dem, const column::CoupledBed* liquid, std::int64_t stage) {

@@ -86,7 +86,7 @@ class Outputs {
 
  private:
   void load(const nlohmann::ordered_json& saved);
-  void write_row(const dem::Dem& dem, const dem::Snapshot& s, std::int64_t stage);
+  void write_row(const dem::Dem& dem, const dem::Sums& s, std::int64_t stage);
   void open_sections();
   void write_sections(const dem::Dem& dem);
   void write_profiles(const dem::Dem& dem, std::int64_t stage) const;

@@ -202,7 +202,7 @@ class Simulation {
     const double scale = dem_->options().inertia_scale;
     if (scale <= 1.0) return;
     const auto warning = dem::inertia_warning(fmt::format("stage {} ({})", now_.stage + 1, stage),
-                                              scale, dem_->snapshot());
+                                              scale, dem_->sums());
     if (!warning) return;
     log_.line("warning: " + *warning);
     now_.warnings.push_back(*warning);

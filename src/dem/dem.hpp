@@ -43,22 +43,26 @@ struct DemOptions {
   std::shared_ptr<mesh::ColumnMesh> mesh = {};
 };
 
-/// What a look at the beds costs, so it is taken when asked for: forces at the present positions,
-/// velocities at the present time.
-struct Snapshot {
-  double time;                        ///< [s]
-  std::vector<Vec3> x, v, w;          ///< one per bead, in the order of ids
-  std::vector<Vec3> force, torque;    ///< of contacts and walls, without weight
-  std::vector<Vec3> drag;             ///< force of the liquid
-  std::vector<BeadProperties> beads;  ///< likewise
-  std::vector<Vec3> wall_force;       ///< on each wall [N]
-  double kinetic_energy;              ///< with the masses that move [J]
-  double elastic_energy;              ///< of normal and tangential springs [J]
-  double mean_contact_force;          ///< of touching pairs and wall contacts [N]
-  double mean_unbalanced_force;       ///< of beads that are free, weight and drag included [N]
-  double mean_overlap;                ///< of touching pairs of beads [m]
-  double max_overlap_ratio;           ///< overlap / smaller diameter
-  double coordination_number;         ///< touching pairs of beads, two per pair, per bead
+/// All beads taken together: forces at the present positions, velocities at the present time.
+struct Sums {
+  double time;                   ///< [s]
+  std::vector<Vec3> wall_force;  ///< on each wall [N]
+  double weight;                 ///< less buoyancy, downwards [N]
+  double kinetic_energy;         ///< with the masses that move [J]
+  double elastic_energy;         ///< of normal and tangential springs [J]
+  double mean_contact_force;     ///< of touching pairs and wall contacts [N]
+  double mean_unbalanced_force;  ///< of beads that are free, weight and drag included [N]
+  double mean_overlap;           ///< of touching pairs of beads [m]
+  double max_overlap_ratio;      ///< overlap / smaller diameter
+  double coordination_number;    ///< touching pairs of beads, two per pair, per bead
+};
+
+/// And each of them, in the order of ids.
+struct Snapshot : Sums {
+  std::vector<Vec3> x, v, w;
+  std::vector<Vec3> force, torque;  ///< of contacts and walls, without weight
+  std::vector<Vec3> drag;           ///< force of the liquid
+  std::vector<BeadProperties> beads;
 };
 
 /// A velocity that a bead is given.
@@ -67,7 +71,9 @@ struct NewVelocity {
   Vec3 v;  ///< [m/s]
 };
 
-struct ContactTerms;  // of a snapshot
+// Of a snapshot.
+struct ContactTerms;
+struct BeadLook;
 
 class Dem {
  public:
@@ -123,8 +129,10 @@ class Dem {
   /// This rank's share of everything that the next steps depend on (dem/state.hpp).
   [[nodiscard]] DemState state() const;
 
-  /// All ranks call it; the beads are on rank 0, the sums everywhere.
+  /// All ranks call it; the beads are on rank 0, the sums everywhere. Costs some time steps.
   [[nodiscard]] Snapshot snapshot() const;
+  /// The sums alone, quicker.
+  [[nodiscard]] Sums sums() const;
   /// On each wall, as in a snapshot, but quickly [N]; of all ranks, all call it.
   [[nodiscard]] std::vector<Vec3> wall_forces() const;
   /// All ranks call it; the contacts are on rank 0, sorted by ids, the lower one first.
@@ -192,7 +200,9 @@ class Dem {
   [[nodiscard]] ContactTerms add_pair_forces_here(Particles& p) const;
   void sum_contacts(ContactTerms& terms,
                     const std::vector<WallContacts>& wall_contacts,
-                    Snapshot& s) const;
+                    Sums& s) const;
+  /// The sums, and the own beads where `beads` is no nullptr.
+  [[nodiscard]] Sums look(std::vector<BeadLook>* beads) const;
   void move_walls(double drift);
   [[nodiscard]] double overlap(const PairKey& p) const;
 

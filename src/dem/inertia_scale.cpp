@@ -99,9 +99,7 @@ InertiaChoice dragged_inertia_scale(const DraggedBed& bed) {
                              bed.flow_step)});
 }
 
-std::optional<std::string> inertia_warning(std::string_view stage,
-                                           double scale,
-                                           const Snapshot& s) {
+std::optional<std::string> inertia_warning(std::string_view stage, double scale, const Sums& s) {
   const double kinetic = share(s.kinetic_energy, s.elastic_energy);
   const double unbalanced = share(s.mean_unbalanced_force, s.mean_contact_force);
   const double excess = std::max(kinetic / most_kinetic_share, unbalanced / most_unbalanced_share);

@@ -85,6 +85,6 @@ double consolidation_time(const DraggedBed& bed);
 
 /// The monitor: one line that names the stage, the figures, their limits and a scale that would have
 /// been fine; nothing if the bed counts as static. Both figures grow with s in a slowly driven bed.
-std::optional<std::string> inertia_warning(std::string_view stage, double scale, const Snapshot& s);
+std::optional<std::string> inertia_warning(std::string_view stage, double scale, const Sums& s);
 
 }  // namespace packbed::dem

@@ -34,15 +34,15 @@ struct ContactTerms {
   }
 };
 
-namespace {
-
 /// What a bead tells of itself.
-struct Row {
+struct BeadLook {
   BeadProperties bead;
   Vec3 x, v, w, force, torque, drag;
 };
 
-void add(const Row& row, Snapshot& s) {
+namespace {
+
+void add(const BeadLook& row, Snapshot& s) {
   s.beads.push_back(row.bead);
   s.x.push_back(row.x);
   s.v.push_back(row.v);
@@ -55,18 +55,6 @@ void add(const Row& row, Snapshot& s) {
 void reserve(std::size_t beads, Snapshot& s) {
   s.beads.reserve(beads);
   for (auto* a : {&s.x, &s.v, &s.w, &s.force, &s.torque, &s.drag}) a->reserve(beads);
-}
-
-/// Places of the own beads in the order of ids.
-std::vector<std::int32_t> own_by_id(const Particles& particles) {
-  std::vector<std::int32_t> own;
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    if (particles.is_own(i)) own.push_back(static_cast<std::int32_t>(i));
-  }
-  std::ranges::sort(own, {}, [&](std::int32_t i) {
-    return particles.properties[static_cast<std::size_t>(i)].id;
-  });
-  return own;
 }
 
 double mean(std::span<const double> terms, const Ranks& ranks) {
@@ -128,8 +116,8 @@ ContactTerms Dem::add_pair_forces_here(Particles& p) const {
 
 // The springs of a copy are moved on to the present time, as the next step would do, so that
 // forces are those at the present positions; velocities are taken half a step further.
-Snapshot Dem::snapshot() const {
-  Snapshot s{};
+Sums Dem::look(std::vector<BeadLook>* beads) const {
+  Sums s{};
   s.time = time();
   Particles p;
   p.motion = particles_.motion;
@@ -142,7 +130,9 @@ Snapshot Dem::snapshot() const {
 
   std::vector<double> kinetic;
   std::vector<double> unbalanced;
-  const auto row_of = [&](std::size_t i) {
+  std::vector<double> weights;
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    if (!particles_.is_own(i)) continue;
     const auto& m = p.motion[i];
     const auto& bead = particles_.properties[i];
     const Vec3 weight{0.0, 0.0, -bead.weight};
@@ -155,25 +145,29 @@ Snapshot Dem::snapshot() const {
                    (keep * m.v + moved_by * (force + drag.rate * drag.target));
     const Vec3 pull = drag.rate * (drag.target - v);
     const Vec3 w = keep * p.spin[i].w + (0.5 * last_step_ * m.inv_inertia) * p.load[i].torque;
+    weights.push_back(bead.weight);
     if (free) {
       kinetic.push_back(0.5 * dot(v, v) / m.inv_mass + 0.5 * dot(w, w) / m.inv_inertia);
       unbalanced.push_back(norm(force + pull));
     }
-    return Row{bead, m.x, v, w, p.load[i].force, p.load[i].torque, pull};
-  };
-  const auto own = own_by_id(particles_);
-  if (ranks_.is_first()) reserve(static_cast<std::size_t>(bead_count_), s);
-  if (ranks_.size() == 1) {
-    for (const auto i : own) add(row_of(static_cast<std::size_t>(i)), s);
-  } else {
-    std::vector<Row> rows;
-    for (const auto i : own) rows.push_back(row_of(static_cast<std::size_t>(i)));
-    rows = ranks_.gather(std::move(rows));
-    std::ranges::sort(rows, {}, [](const Row& row) { return row.bead.id; });
-    for (const auto& row : rows) add(row, s);
+    if (beads != nullptr)
+      beads->push_back({bead, m.x, v, w, p.load[i].force, p.load[i].torque, pull});
   }
+  s.weight = order_independent_sum(weights, ranks_);
   s.kinetic_energy = order_independent_sum(kinetic, ranks_);
   s.mean_unbalanced_force = mean(unbalanced, ranks_);
+  return s;
+}
+
+Sums Dem::sums() const { return look(nullptr); }
+
+Snapshot Dem::snapshot() const {
+  std::vector<BeadLook> beads;
+  Snapshot s{look(&beads)};
+  beads = ranks_.gather(std::move(beads));
+  std::ranges::sort(beads, {}, [](const BeadLook& look) { return look.bead.id; });
+  if (ranks_.is_first()) reserve(static_cast<std::size_t>(bead_count_), s);
+  for (const auto& look : beads) add(look, s);
   return s;
 }
 
@@ -191,7 +185,7 @@ std::vector<Vec3> Dem::wall_forces() const {
 /// Adds the wall contacts to the terms of the pairs, and sums them up.
 void Dem::sum_contacts(ContactTerms& terms,
                        const std::vector<WallContacts>& wall_contacts,
-                       Snapshot& s) const {
+                       Sums& s) const {
   std::array<std::int64_t, 1> touching = {static_cast<std::int64_t>(terms.overlap.size())};
   s.mean_overlap = mean(terms.overlap, ranks_);
   for (std::size_t w = 0; w < walls_.size(); ++w) {

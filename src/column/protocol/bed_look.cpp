@@ -30,7 +30,8 @@ double middle_porosity(const dem::Dem& dem, double area) {
   return analysis::mean_porosity(beads, area, analysis::middle_half(height), dem.ranks());
 }
 
-Rest rest_of(const dem::Dem& dem, const dem::Snapshot& s) {
+Rest rest_of(const dem::Dem& dem) {
+  const auto s = dem.sums();
   const auto& p = dem.particles();
   double fastest = 0.0;
   double speed = 0.0;

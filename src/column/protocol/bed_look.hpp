@@ -33,10 +33,7 @@ struct Rest {
   double max_overlap = 0.0;   ///< largest overlap / diameter
 };
 
-/// From a snapshot taken now.
-Rest rest_of(const dem::Dem& dem, const dem::Snapshot& s);
-
-inline Rest rest_of(const dem::Dem& dem) { return rest_of(dem, dem.snapshot()); }
+Rest rest_of(const dem::Dem& dem);
 
 /// Whether the height of a bed changed by less than 1e-4 mean diameters in a slice.
 bool is_steady(double height, double height_before, double mean_diameter);

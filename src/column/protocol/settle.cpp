@@ -147,9 +147,8 @@ bool Settle::may_tip() const { return state_.resting_since >= 0.0 && state_.push
 
 void Settle::look(dem::Dem& dem) {
   bed_ = look_at_bed(dem, area());
-  const auto now = dem.snapshot();
-  rest_ = rest_of(dem, now);
-  push_tipping(now, dem);
+  rest_ = rest_of(dem);
+  push_tipping(dem);
   state_.height_before = state_.bed_height;
   state_.porosity_before = state_.porosity;
   state_.bed_height = bed_.height;
@@ -160,11 +159,12 @@ void Settle::look(dem::Dem& dem) {
   state_.speed = rest_.speed;
 }
 
-void Settle::push_tipping(const dem::Snapshot& now, dem::Dem& dem) {
+void Settle::push_tipping(dem::Dem& dem) {
   if (!before_) return;
   const double fall = bed_.mean_diameter / falling_time(bed_.mean_diameter, options_.gravity, dem);
-  const auto pushed = push_tipping_beads(
-      *before_, now, {.slowest = options_.speed_limit, .speed = tipping_speed * fall}, dem);
+  const auto pushed =
+      push_tipping_beads(*before_, dem.snapshot(),
+                         {.slowest = options_.speed_limit, .speed = tipping_speed * fall}, dem);
   before_.reset();
   state_.pushes += pushed;
   if (pushed > 0) state_.resting_since = dem.time();

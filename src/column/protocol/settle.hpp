@@ -109,7 +109,7 @@ class Settle {
   void fall(dem::Dem& dem);
   void run_slice(dem::Dem& dem);
   void run_densifying(dem::Dem& dem);
-  void push_tipping(const dem::Snapshot& now, dem::Dem& dem);
+  void push_tipping(dem::Dem& dem);
   [[nodiscard]] bool may_tip() const;
   void look(dem::Dem& dem);
   void enter(SettlePhase phase, const dem::Dem& dem);
