@@ -82,9 +82,9 @@ double time_to_fall(bool pushed) {
   dem::Dem dem(o, {below, with_weight(above, g), beside}, {});
   while (dem.particles().motion[1].x.x < 0.7 * diameter_s) {
     dem.run(400);
-    const auto before = dem.snapshot();
+    const auto earlier = dem.snapshot();
     dem.run(100);
-    if (pushed) dem.set_velocities(tipping_beads(before, dem.snapshot(), limits));
+    if (pushed) dem.set_velocities(tipping_beads(earlier, dem.snapshot(), limits));
     if (dem.time() > 5.0) break;
   }
   return dem.time();
