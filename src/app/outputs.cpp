@@ -197,7 +197,10 @@ void Outputs::row(const dem::Dem& dem, const column::CoupledBed* liquid, std::in
           : 0.0;
   if (reference_) write_sections(dem);
   if (series_) write_row(dem, s, stage);
-  if (case_.output.beads_csv) write_bead_csv(dem.snapshot());
+  if (case_.output.beads_csv) {
+    const auto beads = dem.snapshot();
+    if (series_) write_bead_csv(beads);
+  }
   const auto& interval = case_.output.frame_interval;
   if (!frames_ || !interval) return;
   constexpr double rounding = 1e-9;
