@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """The five packing methods of thesis section 5.4.5, dynamic axial compression wet and semi-dry, on narrow slices of
-three random beds, then load cycles and a load series. Height over width of the bed as in the lab; compressed by a fifth. Thesis chapter 10.
+three random beds, then load cycles and a load series. Height over width of the bed as in the lab; compressed by a
+fifth. Thesis chapter 10.
 """
 import sys
 
@@ -55,7 +56,8 @@ SEEDS = (1, 2, 3)
 PIECES = {f"{load}-{method}-{seed}": (load, method, seed) for load in LOADS for seed in SEEDS for method in METHODS}
 
 # Thesis table 10.1: S_mean and S_init at RHL 0.75, lab.
-LAB = {"dac": (0.04, 0.07), "dac_semi_dry": (0.04, 0.07), "flow": (0.04, 0.02), "dac_then_flow": (0.06, 0.03), "flow_then_dac": (0.05, 0.03),
+LAB = {"dac": (0.04, 0.07), "dac_semi_dry": (0.04, 0.07), "flow": (0.04, 0.02),
+       "dac_then_flow": (0.06, 0.03), "flow_then_dac": (0.05, 0.03),
        "alternating": (0.03, 0.03)}
 COLUMNS = ("stage", "stage_name", "superficial_velocity_m_s", "pressure_drop_Pa", "bed_height_m", "compression", "S_mean",
            "S_init", "share_above_6", "IPD_absolute_d", "sigma_z2_m2_s2", "velocity_variation", "axial_to_lateral",

@@ -55,7 +55,6 @@ WIDTHS = (5, 7.5, 10)
 PIECES = {f"{resin}-{width}": (resin, width) for resin in RESINS for width in WIDTHS}
 # Fits to the lab, D in mm: a ln D + b, of bar/m and of the compression (thesis eqs 7.2 to 7.5).
 FITS = {"sep": ((1.9751, 0.3544), (0.01100, 0.01398)), "toy": ((3.5121, 2.6535), (0.01344, 0.03688))}
-TOP = 637.0
 
 
 def run_piece(piece):

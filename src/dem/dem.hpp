@@ -201,8 +201,8 @@ class Dem {
   void sum_contacts(ContactTerms& terms,
                     const std::vector<WallContacts>& wall_contacts,
                     Sums& s) const;
-  /// The sums, and the own beads where `beads` is no nullptr.
-  [[nodiscard]] Sums look(std::vector<BeadLook>* beads) const;
+  /// The sums; each own bead is handed on, in the order of ids, if there is somebody to take it.
+  [[nodiscard]] Sums look(const std::function<void(const BeadLook&)>& take) const;
   void move_walls(double drift);
   [[nodiscard]] double overlap(const PairKey& p) const;
 

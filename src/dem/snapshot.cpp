@@ -57,6 +57,19 @@ void reserve(std::size_t beads, Snapshot& s) {
   for (auto* a : {&s.x, &s.v, &s.w, &s.force, &s.torque, &s.drag}) a->reserve(beads);
 }
 
+/// Places of the own beads, in the order of ids if that is asked for.
+std::vector<std::int32_t> own_beads(const Particles& particles, bool by_id) {
+  std::vector<std::int32_t> own;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (particles.is_own(i)) own.push_back(static_cast<std::int32_t>(i));
+  }
+  if (!by_id) return own;
+  std::ranges::sort(own, {}, [&](std::int32_t i) {
+    return particles.properties[static_cast<std::size_t>(i)].id;
+  });
+  return own;
+}
+
 double mean(std::span<const double> terms, const Ranks& ranks) {
   std::array<std::int64_t, 1> count = {static_cast<std::int64_t>(terms.size())};
   ranks.sum(count);
@@ -116,7 +129,7 @@ ContactTerms Dem::add_pair_forces_here(Particles& p) const {
 
 // The springs of a copy are moved on to the present time, as the next step would do, so that
 // forces are those at the present positions; velocities are taken half a step further.
-Sums Dem::look(std::vector<BeadLook>* beads) const {
+Sums Dem::look(const std::function<void(const BeadLook&)>& take) const {
   Sums s{};
   s.time = time();
   Particles p;
@@ -131,8 +144,8 @@ Sums Dem::look(std::vector<BeadLook>* beads) const {
   std::vector<double> kinetic;
   std::vector<double> unbalanced;
   std::vector<double> weights;
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
-    if (!particles_.is_own(i)) continue;
+  for (const auto place : own_beads(particles_, static_cast<bool>(take))) {
+    const auto i = static_cast<std::size_t>(place);
     const auto& m = p.motion[i];
     const auto& bead = particles_.properties[i];
     const Vec3 weight{0.0, 0.0, -bead.weight};
@@ -150,8 +163,7 @@ Sums Dem::look(std::vector<BeadLook>* beads) const {
       kinetic.push_back(0.5 * dot(v, v) / m.inv_mass + 0.5 * dot(w, w) / m.inv_inertia);
       unbalanced.push_back(norm(force + pull));
     }
-    if (beads != nullptr)
-      beads->push_back({bead, m.x, v, w, p.load[i].force, p.load[i].torque, pull});
+    if (take) take({bead, m.x, v, w, p.load[i].force, p.load[i].torque, pull});
   }
   s.weight = order_independent_sum(weights, ranks_);
   s.kinetic_energy = order_independent_sum(kinetic, ranks_);
@@ -159,14 +171,20 @@ Sums Dem::look(std::vector<BeadLook>* beads) const {
   return s;
 }
 
-Sums Dem::sums() const { return look(nullptr); }
+Sums Dem::sums() const { return look({}); }
 
+// One rank needs no list of rows, which would take as much memory as the snapshot.
 Snapshot Dem::snapshot() const {
+  Snapshot s{};
+  if (ranks_.is_first()) reserve(static_cast<std::size_t>(bead_count_), s);
+  if (ranks_.size() == 1) {
+    static_cast<Sums&>(s) = look([&](const BeadLook& bead) { add(bead, s); });
+    return s;
+  }
   std::vector<BeadLook> beads;
-  Snapshot s{look(&beads)};
+  static_cast<Sums&>(s) = look([&](const BeadLook& bead) { beads.push_back(bead); });
   beads = ranks_.gather(std::move(beads));
   std::ranges::sort(beads, {}, [](const BeadLook& look) { return look.bead.id; });
-  if (ranks_.is_first()) reserve(static_cast<std::size_t>(bead_count_), s);
   for (const auto& look : beads) add(look, s);
   return s;
 }

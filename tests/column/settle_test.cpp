@@ -127,6 +127,7 @@ TEST(SettleStage, GoesOnFromWhatItSavedWithTheSameBits) {
   ASSERT_EQ(parts.size(), whole.size());
   for (std::size_t i = 0; i < whole.size(); ++i) {
     EXPECT_EQ(parts[i].x, whole[i].x) << i;
+    EXPECT_EQ(parts[i].y, whole[i].y) << i;
     EXPECT_EQ(parts[i].z, whole[i].z) << i;
   }
 }

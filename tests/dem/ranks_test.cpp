@@ -138,7 +138,11 @@ int check(int count, std::int64_t steps, const Sharing& sharing) {
     shared.run(steps / 4);
     alone.run(steps / 4);
     if (look == 0) {
-      for (auto* dem : {&shared, &alone}) dem->scale_diameters(1.01);
+      for (auto* dem : {&shared, &alone}) {
+        dem->scale_diameters(1.01);
+        dem->set_velocities(
+            {{.id = 3, .v = {0.1, 0.0, -0.2}}, {.id = count - 1, .v = {-0.3, 0.1, 0.0}}});
+      }
     }
     if (look == 2) {
       for (auto* dem : {&shared, &alone}) put_into_liquid(*dem);

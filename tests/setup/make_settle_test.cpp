@@ -87,7 +87,6 @@ TEST_F(MakeSettle, HandsTheKeysOn) {
   EXPECT_EQ(o.resin_friction, 0.1);
   EXPECT_EQ(o.resin_rolling_friction, 0.35);
   EXPECT_EQ(o.fall_damping, 8e-3);
-  EXPECT_FALSE(o.rest_damping);
   EXPECT_DOUBLE_EQ(o.damping_after, 125.0);
   EXPECT_EQ(o.liquid_density, c.liquid->density);
   EXPECT_EQ(o.bead(17).diameter, bead_of(c, 17).diameter);

@@ -178,8 +178,7 @@ void Settle::enter(SettlePhase phase, const dem::Dem& dem) {
 }
 
 void Settle::enter_rest(SettlePhase phase, dem::Dem& dem) {
-  const double time =
-      options_.rest_damping.value_or(falling_time(bed_.mean_diameter, options_.gravity, dem));
+  const double time = falling_time(bed_.mean_diameter, options_.gravity, dem);
   dem.set_background_damping(1.0 / time);
   enter(phase, dem);
 }

@@ -42,15 +42,14 @@ struct SettleOptions {
   std::optional<double> lid;
 
   SteppingOptions stepping;
-  /// Time in which a bead slows down [s] while beads fall, and while the bed comes to rest;
-  /// none: 8 and 1 times sqrt(inertia scale d / gravity), d being the mean diameter.
+  /// Time in which a bead slows down while beads fall [s]; none: 8 falling times, d being the mean diameter.
+  /// While the bed comes to rest it is one, sqrt(inertia scale d / gravity).
   std::optional<double> fall_damping;
-  std::optional<double> rest_damping;
   double damping_after = 0.0;  ///< rate that is set in the end; 0: none [1/s]
   double rest_limit = 1e-5;    ///< unbalanced / contact force at which a dry bed counts as at rest
   double unbalanced_limit = 1e-6;  ///< of the bed at rest in the end: unbalanced / contact force
   double speed_limit = 1e-6;       ///< of its fastest bead, rattlers too [m/s]
-  /// Falling times for which a bed without unbalanced forces waits for a bead that still rolls between others.
+  /// Falling times for which a bed without unbalanced forces waits for a bead that still moves.
   double patience = 10.0;
   std::int64_t slice = 500;          ///< time steps
   std::int64_t most_slices = 20000;  ///< of a phase, before it is given up

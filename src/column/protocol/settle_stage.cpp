@@ -104,7 +104,7 @@ std::string SettleStage::result(const dem::Dem& dem) const {
   if (settle_.options().porosity) text += way_to_porosity(s, settle_.options());
   if (s.pushes > 0) text += fmt::format("; {} pushes of grains that tipped over", s.pushes);
   if (s.speed > settle_.options().speed_limit) {
-    text += fmt::format("; one between others still rolls, at {:.2g} m/s", s.speed);
+    text += fmt::format("; one grain still moves, at {:.2g} m/s", s.speed);
   }
   return text;
 }
