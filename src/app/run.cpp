@@ -46,7 +46,7 @@ void add_results(nlohmann::ordered_json& summary, const RunSummary& r) {
     summary["settled_height_m"] = f.settled_height;
     summary["settled_porosity"] = f.settled_porosity;
   }
-  if (r.has_flow) {
+  if (r.has_flow && f.highest_flow.bed_height > 0.0) {  // a plunger alone has none
     summary["highest_superficial_velocity_m_s"] = f.highest_flow.velocity;
     summary["pressure_drop_at_highest_flow_Pa"] = f.highest_flow.pressure_drop;
     summary["bed_height_at_highest_flow_m"] = f.highest_flow.bed_height;
@@ -69,7 +69,7 @@ void tell_results(const RunSummary& r) {
         r.beads, 1e3 * f.bed.height, f.bed.middle_porosity, f.coordination_number,
         f.unbalanced_force);
   }
-  if (f.highest_flow.bed_height > 0.0) {  // a plunger alone has none
+  if (f.highest_flow.bed_height > 0.0) {
     fmt::print(
         "Highest flow {:.4g} cm/h: pressure drop {:.4g} bar, {:.4g} bar/m of a bed of {:.3f} mm\n",
         f.highest_flow.velocity * 3.6e5, 1e-5 * f.highest_flow.pressure_drop,

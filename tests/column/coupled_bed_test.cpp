@@ -304,6 +304,48 @@ TEST(FlowStage, KeepsTheCourantNumberAtItsLimit) {
   EXPECT_GT(largest, 0.6 * largest_courant);
 }
 
+// Inertia and interval follow the bed: as the rule has it for the state in which a plateau begins, up and down.
+TEST(FlowStage, ChoosesInertiaAndIntervalForEachPlateau) {
+  auto dem = bed_at_rest(1.0);
+  auto bed = liquid();
+  auto o = jumps(3000 * cm_h, 4, 0.1, 0.0);
+  o.coupling_interval.reset();
+  o.inertia_scale.reset();
+  o.grains = {.viscosity = 1e-3,
+              .density = 1100.0,
+              .bead_diameter = 90e-6,
+              .diameter = 260e-6,
+              .stiffness = 100.0};
+  const auto rule = [&] {
+    return dem::dragged_inertia_scale(
+               dragged_bed(bed_state(o, dem).value(), o.grains, true, o.hold.value()))
+        .scale;
+  };
+  const auto scales_of = [&](const FlowOptions& options) {
+    FlowStage stage(options, bed);
+    std::vector<double> scales;
+    double expected = rule();
+    stage.begin(dem);
+    for (auto after = After::goes_on; after != After::end;) {
+      if (after != After::goes_on || scales.empty()) {
+        scales.push_back(dem.options().inertia_scale);
+        EXPECT_EQ(scales.back(), expected);
+      }
+      after = stage.advance(dem);
+      expected = rule();
+    }
+    return scales;
+  };
+  const auto up = scales_of(o);
+  ASSERT_EQ(up.size(), 4U);
+  EXPECT_GT(up.back(), 1.02 * up.front());
+  o.from.reset();
+  o.to = 0.0;
+  const auto down = scales_of(o);
+  ASSERT_EQ(down.size(), 4U);
+  EXPECT_LT(down.back(), 0.99 * down.front());
+}
+
 // A stage that is saved within a plateau tells the same of it as one that was not interrupted.
 TEST(FlowStage, GoesOnWithinAPlateauWithTheSameNoise) {
   auto dem = bed_at_rest(1.0);

@@ -58,6 +58,14 @@ double FlowStage::ramp_time() const {
 
 void FlowStage::begin(dem::Dem& dem) {
   state_.from = options_.from.value_or(liquid_.flow());
+  follow_rules(dem);
+  if (!dem.particles().in_liquid) liquid_.start(dem);
+  state_.next_output = dem.time() + options_.interval;
+  start_plateau(dem);
+}
+
+// A bed that is pressed together drags more and may be scaled further; one that is let go, less.
+void FlowStage::follow_rules(dem::Dem& dem) {
   const bool is_given = options_.inertia_scale && options_.coupling_interval;
   const auto bed = is_given ? std::nullopt : bed_state(options_, dem);
   double interval = std::min(longest_interval, interval_of_plateau * options_.hold.value_or(1.0));
@@ -69,12 +77,9 @@ void FlowStage::begin(dem::Dem& dem) {
     scale = dem::dragged_inertia_scale(dragged).scale;
     interval = std::min(interval, interval_of_consolidation * dem::consolidation_time(dragged));
   }
-  state_.inertia_scale = options_.inertia_scale.value_or(scale);
+  dem.set_inertia_scale(options_.inertia_scale.value_or(scale));
+  state_.inertia_scale = std::max(state_.inertia_scale, dem.options().inertia_scale);
   state_.interval = options_.coupling_interval.value_or(interval);
-  dem.set_inertia_scale(state_.inertia_scale);
-  if (!dem.particles().in_liquid) liquid_.start(dem);
-  state_.next_output = dem.time() + options_.interval;
-  start_plateau(dem);
 }
 
 void FlowStage::start_plateau(const dem::Dem& dem) {
@@ -119,6 +124,7 @@ After FlowStage::advance(dem::Dem& dem) {
   }
   end_plateau(dem, look.is_steady);
   if (state_.plateau >= options_.steps || is_reached) return After::end;
+  follow_rules(dem);
   start_plateau(dem);
   return After::output;
 }
@@ -193,7 +199,7 @@ std::string FlowStage::result(const dem::Dem& dem) const {
   const double height = look_at_bed(dem, options_.area).height;
   auto text = fmt::format(
       "{:.4g} cm/h, pressure drop {:.5g} bar ({:.4g} bar/m), bed height {:.4f} mm, inertia scale "
-      "{:.4g}, exchanges every {:.3g} ms",
+      "up to {:.4g}, exchanges every {:.3g} ms",
       f.superficial_velocity / cm_h, 1e-5 * f.pressure_drop,
       height > 0.0 ? 1e-5 * f.pressure_drop / height : 0.0, 1e3 * height, state_.inertia_scale,
       1e3 * state_.interval);

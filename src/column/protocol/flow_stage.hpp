@@ -37,8 +37,8 @@ struct FlowState {
   double pressure_drop = 0.0;   ///< then [Pa]
   double next_output = 0.0;     ///< [s]
   std::int64_t unsteady = 0;    ///< plateaus that were not steady when their time was over
-  double inertia_scale = 1.0;
-  double interval = 0.0;  ///< longest time between exchanges of beads and liquid [s]
+  double inertia_scale = 1.0;   ///< the largest so far
+  double interval = 0.0;        ///< longest time between exchanges of beads and liquid [s]
   Samples drops;  ///< pressure drop while the velocity stays [Pa], as far back as noise may want it
 };
 
@@ -62,6 +62,7 @@ class FlowStage : public Stage {
   [[nodiscard]] double velocity(std::int64_t plateau) const;
   [[nodiscard]] double ramp_time() const;
   [[nodiscard]] bool is_low_enough(const dem::Dem& dem) const;
+  void follow_rules(dem::Dem& dem);
   void start_plateau(const dem::Dem& dem);
   void end_plateau(const dem::Dem& dem, bool is_steady);
   void watch_drop();
