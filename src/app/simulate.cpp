@@ -162,6 +162,7 @@ class Simulation {
     });
     log_.line(fmt::format("stage {}: {}, {}", now_.stage + 1, stage->name(), stage->result(*dem_)));
     judge_inertia(stage->name());
+    stage->leave(*dem_);
     now_.stage_state = nullptr;
     checkpoint(now_.stage + 1);
     log_.line(in_words(timings_.back()));

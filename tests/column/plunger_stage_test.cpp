@@ -109,6 +109,9 @@ double dissipated_share(double friction) {
   PlungerStage stage(o, nullptr);
   stage.begin(dem);
   finish(stage, dem);
+  EXPECT_EQ(dem.options().model.friction,
+            friction);  // what is told of the end is of the bed as pressed
+  stage.leave(dem);
   EXPECT_EQ(dem.options().model.friction, 0.1);  // of the resin again
   const double work = stage.save().at("work");
   return 1.0 - (energy(dem.snapshot()) - before) / work;

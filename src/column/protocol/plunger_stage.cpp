@@ -266,6 +266,10 @@ void PlungerStage::leave_hold(dem::Dem& dem) {
 void PlungerStage::end(dem::Dem& dem) {
   set_plunger_speed(0.0, dem);
   set_flow(0.0);
+}
+
+// After the outputs of the end, which show the bed as it was pressed.
+void PlungerStage::leave(dem::Dem& dem) const {
   if (options_.friction) dem.set_friction(options_.resin_friction);
   if (!options_.drained) return;
   dem.set_weights(

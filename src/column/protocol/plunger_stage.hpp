@@ -73,6 +73,7 @@ class PlungerStage : public Stage {
   [[nodiscard]] std::string_view name() const override { return options_.name; }
   /// Throws ConfigError if the target is not on the plunger's way.
   void begin(dem::Dem& dem) override;
+  void leave(dem::Dem& dem) const override;
   After advance(dem::Dem& dem) override;
   [[nodiscard]] double share_done(const dem::Dem& dem) const override;
   [[nodiscard]] std::string doing() const override;

@@ -39,6 +39,8 @@ class Stage {
   /// A slice: a number of time steps that depends on nothing but the state. All ranks call it.
   /// Throws DivergenceError, and ConfigError where the target of a stage cannot be reached.
   virtual After advance(dem::Dem& dem) = 0;
+  /// Called once, after the last slice and its outputs: takes back what held for this stage alone.
+  virtual void leave(dem::Dem& /*dem*/) const {}
   /// The plateau that ended with the last slice, if one did.
   [[nodiscard]] virtual std::optional<Plateau> finished_plateau() const { return {}; }
   /// Share of the stage that is done, from 0 to 1, as far as it can be told: for progress lines.
