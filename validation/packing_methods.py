@@ -47,10 +47,11 @@ METHODS = {
     "alternating": "".join(FLOW.format(5 * k + 2.5) + DAC.format(5 * k + 5) for k in range(4)),
 }
 STORE = '\n[[protocol]]\nstep = "store"\nhold_limit = "1 s"\n'
+SERIES = (0.25, 0.5, 0.75, 1.0)  # at 1.25 a flow closes beds that are pressed by a fifth; the run says so
 LOADS = {
     "cycles": '\n[[protocol]]\nstep = "cycle"\ncount = 10\nhold_limit = "1 s"\n',
     "series": "".join(
-        f'\n[[protocol]]\nstep = "hold"\nduration = "1 s"\nflow = "{load} RHL"\n' for load in (0.25, 0.5, 0.75, 1.0, 1.25)),
+        f'\n[[protocol]]\nstep = "hold"\nduration = "1 s"\nflow = "{load} RHL"\n' for load in SERIES),
 }
 SEEDS = (1, 2, 3)
 PIECES = {f"{load}-{method}-{seed}": (load, method, seed) for load in LOADS for seed in SEEDS for method in METHODS}

@@ -304,6 +304,21 @@ TEST(FlowStage, KeepsTheCourantNumberAtItsLimit) {
   EXPECT_GT(largest, 0.6 * largest_courant);
 }
 
+// A bed that a flow has closed would be stepped on for ever, ever more slowly.
+TEST(CoupledBed, RefusesIntervalsOfAClosedBed) {
+  auto dem = bed_at_rest(100.0);
+  auto bed = liquid();
+  bed.start(dem);
+  EXPECT_GT(bed.interval_within_limit(5e-3, 0.3), 1e-4);
+  try {
+    bed.interval_within_limit(5e-3, 10.0);
+    FAIL() << "no error";
+  } catch (const DivergenceError& error) {
+    EXPECT_NE(std::string(error.what()).find("the flow closes the bed"), std::string::npos)
+        << error.what();
+  }
+}
+
 // Inertia and interval follow the bed: as the rule has it for the state in which a plateau begins, up and down.
 TEST(FlowStage, ChoosesInertiaAndIntervalForEachPlateau) {
   auto dem = bed_at_rest(1.0);
