@@ -7,10 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "column/plunger.hpp"
-#include "core/error.hpp"
 #include "core/exact_sum.hpp"
 #include "fluid/figures.hpp"
 
@@ -107,17 +104,7 @@ double CoupledBed::flow() const {
 
 double CoupledBed::interval_within_limit(double wanted, double coming) const {
   const double rate = fluid::courant_rate(fluid_, coming);
-  const double interval = rate * wanted > largest_courant ? largest_courant / rate : wanted;
-  if (interval < std::min(closed_share * wanted, closed_interval)) {
-    throw DivergenceError(
-        fmt::format("the flow closes the bed: its densest cell has a void fraction of {:.2g}, "
-                    "where beads and liquid "
-                    "would have to exchange every {:.2g} ms; the bed is compressed beyond what the "
-                    "model can tell: take a "
-                    "lower flow, a lower or looser bed, or stiffer beads",
-                    1.0 - coupling_->figures().largest_solid_fraction, 1e3 * interval));
-  }
-  return interval;
+  return rate * wanted > largest_courant ? largest_courant / rate : wanted;
 }
 
 void CoupledBed::load(const fluid::FluidState& state, const dem::Dem& dem) {

@@ -38,10 +38,6 @@ struct LiquidFigures {
 
 /// Of the liquid between two exchanges; the scheme is stable beyond.
 inline constexpr double largest_courant = 1.0;
-/// An interval that this limit makes shorter than both, the share being of the one wanted, tells of a bed that the
-/// flow has closed.
-inline constexpr double closed_share = 0.01;
-inline constexpr double closed_interval = 5e-5;  // [s]
 
 class CoupledBed {
  public:
@@ -60,8 +56,7 @@ class CoupledBed {
   [[nodiscard]] double flow() const;  ///< at the inlet now, as set [m/s]
 
   /// As much of `wanted` [s] as keeps the Courant number of the liquid below `largest_courant`: with its present
-  /// velocities, and with a superficial velocity of `coming` in space [m/s]. All ranks call it. Throws
-  /// DivergenceError where hardly anything of it is left.
+  /// velocities, and with a superficial velocity of `coming` in space [m/s]. All ranks call it.
   [[nodiscard]] double interval_within_limit(double wanted, double coming) const;
 
   /// An interval: `count` time steps of the beads, as long a step of the liquid, and the exchange. The upper

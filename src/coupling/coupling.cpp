@@ -153,7 +153,7 @@ void Coupling::sum_beads(const mesh::ColumnMesh& mesh) {
     if (c < window_.own_first() || c >= window_.own_last()) continue;
     const auto& s = sums[c];
     eps_[c] = 1.0 - s[0] / volume_[c];
-    if (eps_[c] <= 0.0) stop_at_full_cell(mesh, c);
+    if (eps_[c] < least_void_fraction) stop_at_full_cell(mesh, c);
     const Vec3 v = s[1] > 0.0 ? (1.0 / s[1]) * Vec3{s[2], s[3], s[4]} : Vec3{};
     const double re = set_law(c, norm(u_[c] - v), mean_diameter);
     largest = {std::max(1.0 - eps_[c], largest[0]), std::max(re, largest[1])};
@@ -169,7 +169,9 @@ void Coupling::stop_at_full_cell(const mesh::ColumnMesh& mesh, std::size_t c) co
   const Vec3 x = mesh.center(window_.first() + static_cast<std::int64_t>(c));
   throw DivergenceError(fmt::format(
       "beads fill the cell at x = {:.4g}, y = {:.4g}, z = {:.4g} mm: solid fraction {:.4g} with "
-      "every bead at its full volume; the bed is compressed beyond what the model can tell",
+      "every bead at its full volume; the bed is compressed beyond what the model can tell: take a "
+      "lower flow or "
+      "compression, a lower or looser bed, or stiffer beads",
       1e3 * x.x, 1e3 * x.y, 1e3 * x.z, 1.0 - eps_[c]));
 }
 

@@ -58,6 +58,10 @@ struct LiquidFields {
   std::span<const Vec3> grad_p{};  ///< of the pressure without its hydrostatic part [Pa/m]
 };
 
+/// Of a cell, below which a run stops: what passes it is a hundred times as fast as above the bed, exchanges follow
+/// each other as quickly, and a bed that its flow closes would be stepped on for ever.
+inline constexpr double least_void_fraction = 0.01;
+
 /// Extremes of the last instant, of all ranks.
 struct CouplingFigures {
   double largest_solid_fraction = 0.0;  ///< of a cell
