@@ -87,7 +87,28 @@ void check_origin(const Json& run, const setup::Case& c, const fs::path& file) {
                   file.string(), what));
 }
 
+RunState state_of(const Json& run) {
+  return {.stage = run.at("stage"),
+          .stage_state = run.at("stage_state"),
+          .outputs = run.at("outputs"),
+          .warnings = run.at("warnings").get<std::vector<std::string>>(),
+          .bed = {.settled_height = run.at("settled_height"),
+                  .height = run.at("height"),
+                  .plunger = run.at("plunger")}};
+}
+
 }  // namespace
+
+void as_this_build_writes(const fs::path& file, const std::function<void()>& read) {
+  try {
+    read();
+  } catch (const Json::exception& error) {
+    throw DataError(fmt::format(
+        "{}: was written by another build of packbed {} ({}); use that build, or start that run "
+        "anew with --overwrite",
+        file.string(), version, error.what()));
+  }
+}
 
 fs::path write_checkpoint(const setup::Case& c,
                           const fs::path& folder,
@@ -123,7 +144,9 @@ TakenBed take_bed(const setup::Case& c, double step) {
   }
   const io::CheckpointReader reader(*file, Ranks::all());
   const auto run = Json::parse(reader.text("run"));
-  const auto what = difference(only_of_bed(run.at("case")), only_of_bed(identity_of(c)));
+  std::string what;
+  as_this_build_writes(
+      *file, [&] { what = difference(only_of_bed(run.at("case")), only_of_bed(identity_of(c))); });
   if (!what.empty()) {
     throw ConfigError(fmt::format(
         "{}: beads.run = \"{}\" has a bed that does not belong in this column: {}; make them equal",
@@ -152,7 +175,10 @@ TakenBed take_bed(const setup::Case& c, double step) {
                                              c.resin.density.value_or(old.density), material);
     bead.properties.fixed = fixed;
   }
-  return {.beads = std::move(state), .plunger = plunger, .outputs = run.at("outputs")};
+  return {.file = *file,
+          .beads = std::move(state),
+          .plunger = plunger,
+          .outputs = run.value("outputs", Json())};
 }
 
 void prune_checkpoints(const fs::path& folder, int keep) {
@@ -169,18 +195,16 @@ LoadedCheckpoint read_checkpoint(const setup::Case& c, const fs::path& folder) {
   }
   const io::CheckpointReader reader(*file, Ranks::all());
   const auto run = Json::parse(reader.text("run"));
-  check_origin(run, c, *file);
+  RunState state;
+  as_this_build_writes(*file, [&] {
+    check_origin(run, c, *file);
+    state = state_of(run);
+  });
   return {
       .file = *file,
       .beads = io::read_dem_state(reader, setup::make_walls(c)),
       .liquid = has_fluid_state(reader) ? std::optional(read_fluid_state(reader)) : std::nullopt,
-      .state = {.stage = run.at("stage"),
-                .stage_state = run.at("stage_state"),
-                .outputs = run.at("outputs"),
-                .warnings = run.at("warnings").get<std::vector<std::string>>(),
-                .bed = {.settled_height = run.at("settled_height"),
-                        .height = run.at("height"),
-                        .plunger = run.at("plunger")}}};
+      .state = std::move(state)};
 }
 
 }  // namespace packbed::app

@@ -6,6 +6,7 @@
 /// they belong to.
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +41,10 @@ std::filesystem::path write_checkpoint(const setup::Case& c,
 /// Takes all but the last `keep` away. All ranks call.
 void prune_checkpoints(const std::filesystem::path& folder, int keep);
 
+/// Calls `read`, which takes values from the texts of a checkpoint. Throws DataError, with the file's name, if they have
+/// other names or types than this build of the program gives them.
+void as_this_build_writes(const std::filesystem::path& file, const std::function<void()>& read);
+
 struct LoadedCheckpoint {
   std::filesystem::path file;
   dem::DemState beads;                      ///< of all ranks
@@ -49,6 +54,7 @@ struct LoadedCheckpoint {
 
 /// A bed at the end of another run.
 struct TakenBed {
+  std::filesystem::path file;
   dem::DemState beads;
   std::optional<double> plunger;   ///< where it stood [m]
   nlohmann::ordered_json outputs;  ///< Outputs::save() of that run
@@ -56,12 +62,12 @@ struct TakenBed {
 
 /// The bed at the end of the run `c.beads.run`, as the start of this case: beads where they are, with their springs;
 /// laws, walls and properties are those of the case. Throws ConfigError if column or sizes of beads differ,
-/// naming the key; DataError if the checkpoint is truncated or altered.
+/// naming the key; DataError if the checkpoint is truncated, altered or of another build.
 TakenBed take_bed(const setup::Case& c, double step);
 
 /// The last checkpoint in the run's folder. Throws ConfigError if there is none, or if it belongs to
 /// another case (naming the first key that differs) or another version of the program; DataError
-/// if it is truncated or altered.
+/// if it is truncated, altered or of another build.
 LoadedCheckpoint read_checkpoint(const setup::Case& c, const std::filesystem::path& folder);
 
 }  // namespace packbed::app

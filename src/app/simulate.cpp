@@ -95,7 +95,9 @@ class Simulation {
         choice_.stable_in_a_bed));
     outputs_.emplace(c_, folder_, *dem_, nullptr);
     progress_.emplace(0);
-    if (taken) outputs_->take_settled(taken->outputs);
+    if (taken) {
+      as_this_build_writes(taken->file, [&] { outputs_->take_settled(taken->outputs); });
+    }
     outputs_->row(*dem_, nullptr, 0);
     if (taken && outputs_->figures().settled_height == 0.0) outputs_->set_settled(*dem_);
     outputs_->stage_end(*dem_, nullptr, 0);
@@ -115,6 +117,7 @@ class Simulation {
   void go_on() {
     const auto saved = read_checkpoint(c_, folder_);
     now_ = saved.state;
+    resumed_from_ = saved.file;
     if (now_.stage == stages_) prune_checkpoints(folder_, 1);  // which it was killed before
     timings_ = read_timings(folder_);
     const auto options = setup::options_of(c_, choice_.step);
@@ -124,7 +127,7 @@ class Simulation {
       liquid_ = make_liquid();
       liquid_->load(*saved.liquid, *dem_);
     }
-    outputs_.emplace(c_, folder_, *dem_, &now_.outputs);
+    as_this_build_writes(saved.file, [&] { outputs_.emplace(c_, folder_, *dem_, &now_.outputs); });
     progress_.emplace(dem_->steps());
     for (std::int64_t k = 0; k < now_.stage; ++k) {
       steps_behind_ += expected_steps(c_, k, choice_.step);
@@ -148,7 +151,7 @@ class Simulation {
     if (now_.stage_state.is_null()) {
       clock_->advance.time([&] { stage->begin(*dem_); });
     } else {
-      stage->load(now_.stage_state);
+      as_this_build_writes(resumed_from_, [&] { stage->load(now_.stage_state); });
     }
     for (auto after = column::After::goes_on; after != column::After::end;) {
       after = clock_->advance.time([&] { return stage->advance(*dem_); });
@@ -267,6 +270,7 @@ class Simulation {
       timings_;  ///< of stages that are over, and of the present one when last saved
   std::optional<StageClock> clock_;  ///< of the present stage
   RunState now_;
+  std::filesystem::path resumed_from_;  ///< the checkpoint, if any
 };
 
 }  // namespace

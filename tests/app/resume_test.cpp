@@ -11,7 +11,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "core/file.hpp"
 #include "core/random.hpp"
+#include "io/checkpoint.hpp"
+#include "io/checkpoint_seal.hpp"
 #include "tests/support/run_program.hpp"
 
 namespace packbed {
@@ -409,6 +412,28 @@ TEST_F(Resume, RefusesWhatIsDamagedOrMissing) {
   EXPECT_EQ(missing.code, 1);
   EXPECT_THAT(missing.err, HasSubstr("no checkpoint"));
   EXPECT_EQ(run_packbed("run --resume --overwrite x.toml").code, 1);
+}
+
+// A build whose stages save other values gives the same version and format: names tell them apart.
+TEST_F(Resume, RefusesACheckpointOfAnotherBuild) {
+  int number = 0;
+  for (const std::string key : {R"("stage_state":{")", R"("outputs":{")", R"("warn)", R"("ca)"}) {
+    const auto name = fmt::format("other_build_{}", number++);
+    ASSERT_EQ(stopped(name, "TERM", "-n 1").code, 4);
+    for (const auto& entry : fs::directory_iterator(in(name) / "checkpoints")) {
+      if (entry.path().extension() != ".h5") continue;
+      auto bytes = read_text_file(entry.path());
+      const auto place = bytes.find(key);
+      ASSERT_NE(place, std::string::npos);
+      bytes[place + key.size()] = '#';
+      std::ofstream(entry.path(), std::ios::binary) << bytes;
+      io::seal(entry.path(), io::checkpoint_format);
+    }
+    const auto refused = run(name, "--resume -n 1");
+    EXPECT_EQ(refused.code, 3) << key;
+    EXPECT_THAT(refused.err, HasSubstr("another build of packbed")) << key;
+    EXPECT_EQ(std::ranges::count(refused.err, '\n'), 1) << key;
+  }
 }
 
 }  // namespace

@@ -36,19 +36,19 @@ def summary(folder):
     return json.loads((folder / "summary.json").read_text())
 
 
-def print_plateaus(folder):
-    """The plateaus of a run in lab units, with the compression of the sections at their ends."""
+def print_plateaus(folder, more={}):
+    """The plateaus of a run in lab units, with the compression of the sections at their ends; more: functions of a plateau."""
     about = summary(folder)
     sections = rows(folder / "sections.csv")
     print("velocity_cm_h,pressure_drop_bar,pressure_drop_bar_m,bed_height_mm,compression,budget_error,pressure_noise,"
-          "steady,settled_porosity,settled_height_mm,wall_time_s," + ",".join(f"section_{k}" for k in range(1, 8)))
+          "steady,settled_porosity,settled_height_mm,wall_time_s," + ",".join([f"section_{k}" for k in range(1, 8)] + list(more)))
     for p in rows(folder / "plateaus.csv"):
         here = [s["compression"] for s in sections if abs(float(s["time_s"]) - float(p["end_time_s"])) < 1e-9]
         print(",".join(str(v) for v in [
             float(p["superficial_velocity_m_s"]) / CM_H, float(p["pressure_drop_Pa"]) * 1e-5,
             float(p["pressure_drop_per_height_Pa_m"]) * 1e-5, float(p["bed_height_m"]) * 1e3, p["compression"],
             p["budget_error"], p["pressure_noise"] or 0, p["steady"], about["settled_porosity"],
-            about["settled_height_m"] * 1e3, about["wall_time_s"]] + here))
+            about["settled_height_m"] * 1e3, about["wall_time_s"]] + here + [value(p) for value in more.values()]))
 
 
 def at_highest_flow(table):
