@@ -153,7 +153,7 @@ Plot frame_plot(const OfFrames& of, std::span<const RunData> runs, bool at_packi
       if (!tables[k].table.has(of.column)) continue;
       auto curve = curve_of(tables[k].table, of);
       curve.label = curve_label(runs, r, frame_label(runs[r], tables[k].number));
-      curve.color = static_cast<int>(one_run ? k % 8 : r);
+      curve.color = static_cast<int>(one_run ? plot.curves.size() : r);
       plot.add(std::move(curve));
     }
   }
@@ -224,7 +224,7 @@ std::vector<Rose> direction_roses(std::span<const RunData> runs) {
       const auto& force = table["mean_force"];
       Curve curve{
           .label = curve_label(runs, r, frame_label(runs[r], frame)), .x = {}, .y = density};
-      curve.color = static_cast<int>(one_run ? k % 8 : r);
+      curve.color = static_cast<int>(one_run ? contacts.curves.size() : r);
       for (std::size_t i = 0; i < table.rows(); ++i) {
         curve.x.push_back(0.5 * (table["angle_low_deg"][i] + table["angle_high_deg"][i]));
       }

@@ -31,7 +31,7 @@ Plot at_stage_ends(std::span<const RunData> runs,
       auto curve = curve_of(all[k].table, along, "porosity", 1.0);
       const auto label = stage_end_label(runs[r], all[k].number);
       curve.label = curve_label(runs, r, label);
-      curve.color = static_cast<int>(runs.size() == 1 ? k % limit : r);
+      curve.color = static_cast<int>(runs.size() == 1 ? plot.curves.size() : r);
       plot.add(std::move(curve));
     }
   }

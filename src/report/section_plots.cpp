@@ -147,7 +147,7 @@ Plot densities(std::span<const RunData> runs) {
     for (const auto k : spread(ends.size(), one_run ? limit : 1)) {
       auto curve = over_sections(row_at(rows, ends[k].time).density, 1.0);
       curve.label = curve_label(runs, r, stage_end_label(runs[r], ends[k].stage));
-      curve.color = static_cast<int>(one_run ? k % limit : r);
+      curve.color = static_cast<int>(one_run ? plot.curves.size() : r);
       plot.add(std::move(curve));
     }
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -174,6 +175,17 @@ TEST_F(Plots, OfPlateausUseTheirProfiles) {
   ASSERT_EQ(plots.size(), 5U);  // porosity at the end of stage 1, two along z, two across
   EXPECT_EQ(curve(plots[2], "720 cm/h up").y.at(0), 200 * per_bar);
   EXPECT_EQ(curve(plots[3], "720 cm/h up").x.at(0), 0.5);
+}
+
+TEST_F(Plots, OfManyStagesHaveEachColorOnce) {
+  for (int stage = 1; stage <= 20; ++stage) {
+    run_.write(fmt::format("profiles/z_{:06}.csv", stage),
+               "z_low_m,z_high_m,porosity\n0,0.004,0.5\n0.004,0.008,0.25\n");
+  }
+  const auto plots = profile_plots(read()).plots;
+
+  ASSERT_EQ(plots.front().curves.size(), 8U);
+  for (int k = 0; k < 8; ++k) EXPECT_EQ(plots.front().curves[k].color, k);
 }
 
 TEST(PlotData, HasSixDigitsAndNullForWhatCannotBeDrawn) {

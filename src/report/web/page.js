@@ -23,8 +23,10 @@
 
   function text(value) {
     if (value === null || value === undefined) return "\u2013";
-    return String(Number(value.toPrecision(4)));
+    return String(Number(value.toPrecision(5)));
   }
+  // All digits that a step of the axis has, without those of rounding.
+  const tick = (value) => String(Number(value.toPrecision(10)));
 
   // uPlot wants one ascending x for all curves of a plot. Two points of a curve at one x, as two measurements
   // at one velocity, are set apart by less than a pixel.
@@ -79,7 +81,7 @@
     return {
       label: axis.label, labelSize: 24, labelFont: "13px system-ui, sans-serif", font: "12px system-ui, sans-serif",
       stroke: style("--soft"), grid: { stroke: style("--line"), width: 1 }, ticks: { stroke: style("--line"), width: 1 },
-      values: (u, splits) => splits.map(text), incrs: axis.whole ? [1, 2, 5, 10, 20, 50, 100] : undefined,
+      values: (u, splits) => splits.map(tick), incrs: axis.whole ? [1, 2, 5, 10, 20, 50, 100] : undefined,
     };
   }
   const bottom_axis = (axis) => Object.assign(axis_of(axis), { size: 36 });
