@@ -31,6 +31,36 @@ Vec3 displacement(const Vec3& a, const Vec3& b, const dem::Domain& domain) {
   return d;
 }
 
+// Places in the sums over the beads of a cell, and in what a cell does to beads.
+enum BeadSum : std::size_t { solid, d, d_2, d_v, d_2_v = d_v + 3 };
+enum Pull : std::size_t {
+  slow_u,
+  inertial_u = slow_u + 3,
+  grad_p = inertial_u + 3,
+  slow = grad_p + 3,
+  inertial,
+  rate_slow,
+  rate_inertial,
+  rate_flux
+};
+
+template <std::size_t n>
+void add(std::array<double, n>& sum, double w, const std::array<double, n>& terms) {
+  for (std::size_t k = 0; k < n; ++k) sum[k] += w * terms[k];
+}
+
+template <std::size_t n>
+Vec3 vector_at(const std::array<double, n>& values, std::size_t k) {
+  return {values[k], values[k + 1], values[k + 2]};
+}
+
+template <std::size_t n>
+void put(std::array<double, n>& values, std::size_t k, const Vec3& v) {
+  values[k] = v.x;
+  values[k + 1] = v.y;
+  values[k + 2] = v.z;
+}
+
 /// Three numbers of each cell as one row of doubles.
 std::span<double> flat(std::vector<Vec3>& field) {
   static_assert(sizeof(Vec3) == 3 * sizeof(double));
@@ -60,32 +90,20 @@ BedFields Coupling::bed(const dem::Dem& dem, const mesh::ColumnMesh& mesh, doubl
   centers.reserve(grains_.size());
   for (const auto& g : grains_) centers.push_back(dem.particles().motion[g.place].x);
   weights_.set_rows(mesh, centers);
-  sum_beads(mesh);
-
-  // K and K v of the beads of each cell.
-  std::vector<std::array<double, 4>> sums(window_.size());
-  for (std::size_t i = 0; i < grains_.size(); ++i) {
-    const auto& g = grains_[i];
-    weights_.for_each(i, [&](std::int64_t cell, double w) {
-      const std::size_t c = at(cell);
-      const double wk = w * g.share * law_[c](g.diameter);
-      auto& sum = sums[c];
-      sum[0] += wk;
-      sum[1] += wk * g.v.x;
-      sum[2] += wk * g.v.y;
-      sum[3] += wk * g.v.z;
-    });
-  }
-  window_.add_to_owners({sums.data()->data(), 4 * sums.size()}, 4);
+  const auto sums = sum_beads();
+  set_laws(mesh, sums);
 
   BedFields fields;
   exchange_.assign(window_.size(), 0.0);
   for (std::size_t c = window_.own_first(); c < window_.own_last(); ++c) {
     const auto& s = sums[c];
-    exchange_[c] = s[0] / volume_[c];
+    const auto& law = law_[c];
+    const double k = law.slow * s[d] + law.inertial * s[d_2];
+    const Vec3 kv = law.slow * vector_at(s, d_v) + law.inertial * vector_at(s, d_2_v);
+    exchange_[c] = k / volume_[c];
     fields.eps.push_back(eps_[c]);
     fields.exchange.push_back(exchange_[c]);
-    fields.u_solid.push_back(s[0] > 0.0 ? (1.0 / s[0]) * Vec3{s[1], s[2], s[3]} : Vec3{});
+    fields.u_solid.push_back(k > 0.0 ? (1.0 / k) * kv : Vec3{});
   }
   window_.fill_from_owners(exchange_, 1);
   if (options_.overlap == OverlapRule::merged && dt > 0.0) fields.source = expelled(dt);
@@ -130,19 +148,22 @@ void Coupling::find_beads(const dem::Dem& dem, double dt) {
   }
 }
 
-// Void fraction of the cells, and the drag law in each of them.
-void Coupling::sum_beads(const mesh::ColumnMesh& mesh) {
-  std::vector<std::array<double, 5>> sums(window_.size());  // volume, d, d v
+std::vector<Coupling::BeadSums> Coupling::sum_beads() const {
+  std::vector<BeadSums> sums(window_.size());
   for (std::size_t i = 0; i < grains_.size(); ++i) {
     const auto& g = grains_[i];
-    const double d = g.diameter;
-    const std::array<double, 5> terms = {g.volume, d, d * g.v.x, d * g.v.y, d * g.v.z};
-    weights_.for_each(i, [&](std::int64_t cell, double w) {
-      auto& sum = sums[at(cell)];
-      for (std::size_t n = 0; n < terms.size(); ++n) sum[n] += w * terms[n];
-    });
+    const double a = g.share * g.diameter;
+    const double b = a * g.diameter;
+    const BeadSums terms = {g.volume,  a,         b,         a * g.v.x, a * g.v.y,
+                            a * g.v.z, b * g.v.x, b * g.v.y, b * g.v.z};
+    weights_.for_each(i, [&](std::int64_t cell, double w) { add(sums[at(cell)], w, terms); });
   }
-  window_.add_to_owners({sums.data()->data(), 5 * sums.size()}, 5);
+  window_.add_to_owners({sums.data()->data(), bead_sums * sums.size()}, bead_sums);
+  return sums;
+}
+
+// Void fraction of the cells, and the drag law in each of them.
+void Coupling::set_laws(const mesh::ColumnMesh& mesh, const std::vector<BeadSums>& sums) {
   volume_.resize(window_.size());
   eps_.assign(window_.size(), 1.0);
   law_.assign(window_.size(), {});
@@ -152,9 +173,9 @@ void Coupling::sum_beads(const mesh::ColumnMesh& mesh) {
     volume_[c] = mesh.volume(window_.first() + static_cast<std::int64_t>(c));
     if (c < window_.own_first() || c >= window_.own_last()) continue;
     const auto& s = sums[c];
-    eps_[c] = 1.0 - s[0] / volume_[c];
+    eps_[c] = 1.0 - s[solid] / volume_[c];
     if (eps_[c] < least_void_fraction) stop_at_full_cell(mesh, c);
-    const Vec3 v = s[1] > 0.0 ? (1.0 / s[1]) * Vec3{s[2], s[3], s[4]} : Vec3{};
+    const Vec3 v = s[d] > 0.0 ? (1.0 / s[d]) * vector_at(s, d_v) : Vec3{};
     const double re = set_law(c, norm(u_[c] - v), mean_diameter);
     largest = {std::max(1.0 - eps_[c], largest[0]), std::max(re, largest[1])};
   }
@@ -204,30 +225,49 @@ void Coupling::set_velocity(std::span<const Vec3> u) {
   window_.fill_from_owners(flat(u_), 3);
 }
 
+// What cells do to beads, so that a bead only adds up numbers of its cells.
+std::vector<Coupling::CellPull> Coupling::pulls_of_cells(const LiquidFields& liquid) const {
+  std::vector<Vec3> gradient(window_.size());
+  std::ranges::copy(liquid.grad_p,
+                    gradient.begin() + static_cast<std::ptrdiff_t>(window_.own_first()));
+  window_.fill_from_owners(flat(gradient), 3);
+  const bool frozen_flux = options_.scheme == Scheme::frozen_flux;
+  std::vector<CellPull> pulls(window_.size());
+  for (std::size_t c = 0; c < pulls.size(); ++c) {
+    const auto& law = law_[c];
+    const double back = frozen_flux ? 1.0 / eps_[c] : 1.0;
+    auto& p = pulls[c];
+    put(p, slow_u, law.slow * u_[c]);
+    put(p, inertial_u, law.inertial * u_[c]);
+    put(p, grad_p, gradient[c]);
+    p[slow] = law.slow;
+    p[inertial] = law.inertial;
+    p[rate_slow] = back * law.slow;
+    p[rate_inertial] = back * law.inertial;
+    p[rate_flux] = frozen_flux ? back * back * exchange_[c] : 0.0;
+  }
+  return pulls;
+}
+
 // The force at the instant is sum w [K_c (u_c - v) - V (grad p)_c], so that each bead and cell exchange the same.
 // A bead that moves otherwise than in the past interval feels -rate (v' - v) more: with the flux frozen, the
 // liquid that it displaces must flow back, which costs K / eps + V B / eps^2 (design section 4); with the velocity
 // frozen, K.
 void Coupling::pull(const LiquidFields& liquid, dem::Dem& dem) {
   set_velocity(liquid.u);
-  std::vector<Vec3> grad_p(window_.size());
-  std::ranges::copy(liquid.grad_p,
-                    grad_p.begin() + static_cast<std::ptrdiff_t>(window_.own_first()));
-  window_.fill_from_owners(flat(grad_p), 3);
+  const auto pulls = pulls_of_cells(liquid);
   auto drag = dem.drag();
   auto coupled_at = dem.coupled_at();
-  const bool frozen_flux = options_.scheme == Scheme::frozen_flux;
   for (std::size_t i = 0; i < grains_.size(); ++i) {
     const auto& g = grains_[i];
-    Vec3 force;
-    double rate = 0.0;
-    weights_.for_each(i, [&](std::int64_t cell, double w) {
-      const std::size_t c = at(cell);
-      const double k = g.share * law_[c](g.diameter);
-      const double eps = eps_[c];
-      force += (w * k) * (u_[c] - g.v) - (w * g.volume) * grad_p[c];
-      rate += w * (frozen_flux ? (k + g.volume * exchange_[c] / eps) / eps : k);
-    });
+    CellPull p{};
+    weights_.for_each(i, [&](std::int64_t cell, double w) { add(p, w, pulls[at(cell)]); });
+    const double a = g.share * g.diameter;
+    const double b = a * g.diameter;
+    const Vec3 force = a * (vector_at(p, slow_u) - p[slow] * g.v) +
+                       b * (vector_at(p, inertial_u) - p[inertial] * g.v) -
+                       g.volume * vector_at(p, grad_p);
+    const double rate = a * p[rate_slow] + b * p[rate_inertial] + g.volume * p[rate_flux];
     Vec3 target = g.v + (1.0 / rate) * force;
     if (is_empty_y_) target.y = 0.0;  // nothing flows there
     drag[g.place] = {target, rate};

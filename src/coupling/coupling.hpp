@@ -98,7 +98,14 @@ class Coupling {
  private:
   void find_beads(const dem::Dem& dem, double dt);
   [[nodiscard]] std::vector<double> expelled(double dt);
-  void sum_beads(const mesh::ColumnMesh& mesh);
+  /// Of a cell, sum w times: volume, a D, a D^2, a D v, a D^2 v of the beads, a being Grain::share.
+  static constexpr std::size_t bead_sums = 9;
+  using BeadSums = std::array<double, bead_sums>;
+  [[nodiscard]] std::vector<BeadSums> sum_beads() const;
+  void set_laws(const mesh::ColumnMesh& mesh, const std::vector<BeadSums>& sums);
+  /// Of a cell: terms of force and rate of its beads that do not depend on the bead (two are padding).
+  using CellPull = std::array<double, 16>;
+  [[nodiscard]] std::vector<CellPull> pulls_of_cells(const LiquidFields& liquid) const;
   [[nodiscard]] double mean_diameter() const;
   double set_law(std::size_t c, double slip, double mean_diameter);
   [[noreturn]] void stop_at_full_cell(const mesh::ColumnMesh& mesh, std::size_t c) const;
@@ -118,11 +125,10 @@ class Coupling {
     Vec3 v;                 ///< mean of the past interval [m/s]
   };
 
-  /// Drag coefficient of a grain in a cell over its diameter D: K = (slow + inertial D) D [kg/s].
+  /// Drag coefficient of a grain of diameter D in a cell: K = (slow + inertial D) D [kg/s].
   struct CellLaw {
     double slow = 0.0;      ///< at Re = 0 [kg/(m s)]
     double inertial = 0.0;  ///< [kg/(m2 s)]
-    double operator()(double diameter) const { return (slow + inertial * diameter) * diameter; }
   };
 
   CouplingOptions options_;

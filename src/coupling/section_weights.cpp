@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -14,6 +14,7 @@ namespace packbed::coupling {
 namespace {
 
 constexpr double samples_per_reach = 4.0;
+constexpr double buckets_per_reach = 2.0;
 
 double distance(const mesh::Point& a, const mesh::Point& b) {
   return std::hypot(a.x - b.x, a.y - b.y);
@@ -46,10 +47,24 @@ Mapped map(const std::array<mesh::Point, 4>& c, double s, double t) {
   return {{between(x), between(y)}, along_s(x) * along_t(y) - along_s(y) * along_t(x)};
 }
 
+/// By rising cell, those of several images of a point added up.
+void join(std::vector<CellWeight>& weights) {
+  std::ranges::stable_sort(weights, {}, &CellWeight::cell);
+  std::size_t kept = 0;
+  for (std::size_t k = 1; k < weights.size(); ++k) {
+    if (weights[k].cell == weights[kept].cell) {
+      weights[kept].weight += weights[k].weight;
+    } else {
+      weights[++kept] = weights[k];
+    }
+  }
+  if (!weights.empty()) weights.resize(kept + 1);
+}
+
 }  // namespace
 
 SectionWeights::SectionWeights(const mesh::CrossSection& section, const Options& options)
-    : options_(options), sum_(static_cast<std::size_t>(section.cell_count()), 0.0) {
+    : options_(options) {
   if (!(options.reach > 0.0)) {
     throw ValueError(
         fmt::format("the averaging width is {} m; it must be positive", options.reach));
@@ -63,7 +78,8 @@ SectionWeights::SectionWeights(const mesh::CrossSection& section, const Options&
     }
   }
   for (std::int32_t c = 0; c < section.cell_count(); ++c) sample_cell(section, c);
-  sort_into_buckets();
+  samples_first_.push_back(static_cast<std::uint32_t>(samples_.size()));
+  find_near_cells();
 }
 
 void SectionWeights::sample_cell(const mesh::CrossSection& section, std::int32_t cell) {
@@ -78,82 +94,114 @@ void SectionWeights::sample_cell(const mesh::CrossSection& section, std::int32_t
   const int ns = samples(std::max(distance(c[0], c[1]), distance(c[3], c[2])));
   const int nt =
       options_.is_empty_y ? 1 : samples(std::max(distance(c[0], c[3]), distance(c[1], c[2])));
-  for (int s = 0; s < ns; ++s) {
-    for (int t = 0; t < nt; ++t) {
-      const auto m = map(c, gauss_point(s, ns), gauss_point(t, nt));
-      samples_.push_back({m.x, m.jacobian / (ns * nt), cell});
+  samples_first_.push_back(static_cast<std::uint32_t>(samples_.size()));
+  for (int k = 0; k < ns * nt; ++k) {
+    const auto m = map(c, gauss_point(k / nt, ns), gauss_point(k % nt, nt));
+    const auto lane = static_cast<std::size_t>(k % 4);
+    if (lane == 0) {  // lanes that stay empty are where the first one is
+      samples_.emplace_back();
+      samples_.back().x.fill(m.x.x);
+      samples_.back().y.fill(options_.is_empty_y ? 0.0 : m.x.y);
     }
+    auto& four = samples_.back();
+    four.x[lane] = m.x.x;
+    four.y[lane] = options_.is_empty_y ? 0.0 : m.x.y;
+    four.area[lane] = m.jacobian / (ns * nt);
   }
 }
 
 int SectionWeights::bucket(double a, std::size_t axis) const {
-  return static_cast<int>(std::floor((a - low_[axis]) / options_.reach));
+  return static_cast<int>(std::floor((a - low_[axis]) * buckets_per_reach / options_.reach));
 }
 
-void SectionWeights::sort_into_buckets() {
-  low_ = {samples_.front().x.x, samples_.front().x.y};
-  std::array<double, 2> high = low_;
-  for (const auto& s : samples_) {
-    low_ = {std::min(low_[0], s.x.x), std::min(low_[1], s.x.y)};
-    high = {std::max(high[0], s.x.x), std::max(high[1], s.x.y)};
-  }
-  for (std::size_t axis = 0; axis < 2; ++axis) count_[axis] = bucket(high[axis], axis) + 1;
-  const auto bucket_of = [&](const Sample& s) {
-    return static_cast<std::size_t>(bucket(s.x.y, 1) * count_[0] + bucket(s.x.x, 0));
-  };
-  std::ranges::stable_sort(samples_, {}, bucket_of);
-  first_.assign(static_cast<std::size_t>(count_[0] * count_[1]) + 1, 0);
-  for (const auto& s : samples_) ++first_[bucket_of(s) + 1];
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-}
-
-// Adds the kernel around x to the sums of the cells.
-void SectionWeights::visit(const mesh::Point& x) {
-  const double scale = 1.0 / (options_.reach * options_.reach);
-  const int bx = bucket(x.x, 0);
-  const int by = options_.is_empty_y ? 0 : bucket(x.y, 1);
-  const int last_y = std::min(options_.is_empty_y ? count_[1] - 1 : by + 1, count_[1] - 1);
-  const int first_x = std::max(bx - 1, 0);
-  const int last_x = std::min(bx + 1, count_[0] - 1);
-  if (first_x > last_x) return;
-  for (int j = std::max(by - 1, 0); j <= last_y; ++j) {  // buckets of a row stand side by side
-    const auto row = static_cast<std::size_t>(j * count_[0]);
-    const auto end = first_[row + static_cast<std::size_t>(last_x) + 1];
-    for (auto k = first_[row + static_cast<std::size_t>(first_x)]; k < end; ++k) {
-      const auto& s = samples_[k];
-      const double dx = s.x.x - x.x;
-      const double dy = options_.is_empty_y ? 0.0 : s.x.y - x.y;
-      const double share = kernel(scale * (dx * dx + dy * dy)) * s.area;
-      if (share <= 0.0) continue;
-      auto& sum = sum_[static_cast<std::size_t>(s.cell)];
-      if (sum == 0.0) touched_.push_back(s.cell);
-      sum += share;
+void SectionWeights::find_near_cells() {
+  constexpr double far = std::numeric_limits<double>::max();
+  low_ = {far, far};
+  std::array<double, 2> high = {-far, -far};
+  for (const auto& four : samples_) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      low_ = {std::min(low_[0], four.x[k]), std::min(low_[1], four.y[k])};
+      high = {std::max(high[0], four.x[k]), std::max(high[1], four.y[k])};
     }
   }
-}
-
-void SectionWeights::at(const mesh::Point& x, std::vector<CellWeight>& weights) {
-  weights.clear();
-  const auto moves = [](double length) {
-    return length > 0.0 ? std::vector<double>{0.0, -length, length} : std::vector<double>{0.0};
+  const double reach = options_.reach;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    low_[axis] -= reach;
+    count_[axis] = bucket(high[axis] + reach, axis) + 1;
+  }
+  const double width = reach / buckets_per_reach;
+  const auto beyond = [&](double a, int b, std::size_t axis) {  // how far a is out of bucket b
+    const double begin = low_[axis] + width * b;
+    return std::max({begin - a, a - begin - width, 0.0});
   };
-  if (options_.periodic_x == 0.0 && (options_.is_empty_y || options_.periodic_y == 0.0)) {
-    visit(x);
-  } else {
-    for (const double dx : moves(options_.periodic_x)) {
-      for (const double dy : moves(options_.is_empty_y ? 0.0 : options_.periodic_y)) {
-        visit({x.x + dx, x.y + dy});
+  std::vector<std::vector<std::int32_t>> near(static_cast<std::size_t>(count_[0] * count_[1]));
+  for (std::size_t c = 0; c + 1 < samples_first_.size(); ++c) {
+    for (auto s = samples_first_[c]; s < samples_first_[c + 1]; ++s) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        const double x = samples_[s].x[k];
+        const double y = samples_[s].y[k];
+        const int last_x = std::min(bucket(x + reach, 0), count_[0] - 1);
+        const int last_y = std::min(bucket(y + reach, 1), count_[1] - 1);
+        for (int j = std::max(bucket(y - reach, 1), 0); j <= last_y; ++j) {
+          for (int i = std::max(bucket(x - reach, 0), 0); i <= last_x; ++i) {
+            if (std::hypot(beyond(x, i, 0), beyond(y, j, 1)) > reach) continue;
+            auto& cells = near[static_cast<std::size_t>(j * count_[0] + i)];
+            const auto cell = static_cast<std::int32_t>(c);
+            if (cells.empty() || cells.back() != cell) cells.push_back(cell);
+          }
+        }
       }
     }
   }
-  std::ranges::sort(touched_);
-  double total = 0.0;
-  for (const auto c : touched_) total += sum_[static_cast<std::size_t>(c)];
-  for (const auto c : touched_) {
-    weights.push_back({c, sum_[static_cast<std::size_t>(c)] / total});
-    sum_[static_cast<std::size_t>(c)] = 0.0;
+  for (const auto& cells : near) {
+    near_first_.push_back(static_cast<std::uint32_t>(near_.size()));
+    near_.insert(near_.end(), cells.begin(), cells.end());
   }
-  touched_.clear();
+  near_first_.push_back(static_cast<std::uint32_t>(near_.size()));
+}
+
+// The kernel around x, summed over each cell near it.
+void SectionWeights::add(const mesh::Point& x, std::vector<CellWeight>& weights) const {
+  const int i = bucket(x.x, 0);
+  const int j = bucket(x.y, 1);
+  if (i < 0 || j < 0 || i >= count_[0] || j >= count_[1]) return;
+  const double scale = 1.0 / (options_.reach * options_.reach);
+  const auto b = static_cast<std::size_t>(j * count_[0] + i);
+  for (auto n = near_first_[b]; n < near_first_[b + 1]; ++n) {
+    const auto c = static_cast<std::size_t>(near_[n]);
+    std::array<double, 4> sum{};
+    for (auto s = samples_first_[c]; s < samples_first_[c + 1]; ++s) {
+      const auto& four = samples_[s];
+      for (std::size_t k = 0; k < 4; ++k) {
+        const double dx = four.x[k] - x.x;
+        const double dy = four.y[k] - x.y;
+        sum[k] += kernel(scale * (dx * dx + dy * dy)) * four.area[k];
+      }
+    }
+    const double whole = (sum[0] + sum[1]) + (sum[2] + sum[3]);
+    if (whole > 0.0) weights.push_back({near_[n], whole});
+  }
+}
+
+void SectionWeights::at(const mesh::Point& x, std::vector<CellWeight>& weights) const {
+  weights.clear();
+  const auto images = [](double length) {
+    return length > 0.0 ? std::vector<double>{0.0, -length, length} : std::vector<double>{0.0};
+  };
+  const double y = options_.is_empty_y ? 0.0 : x.y;
+  if (options_.periodic_x == 0.0 && (options_.is_empty_y || options_.periodic_y == 0.0)) {
+    add({x.x, y}, weights);
+  } else {
+    for (const double dx : images(options_.periodic_x)) {
+      for (const double dy : images(options_.is_empty_y ? 0.0 : options_.periodic_y)) {
+        add({x.x + dx, y + dy}, weights);
+      }
+    }
+    join(weights);
+  }
+  double total = 0.0;
+  for (const auto& w : weights) total += w.weight;
+  for (auto& w : weights) w.weight /= total;
 }
 
 }  // namespace packbed::coupling

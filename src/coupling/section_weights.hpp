@@ -34,26 +34,28 @@ class SectionWeights {
   SectionWeights(const mesh::CrossSection& section, const Options& options);
 
   /// Into `weights`, by rising cell. A point farther than the reach from all cells gives none.
-  void at(const mesh::Point& x, std::vector<CellWeight>& weights);
+  void at(const mesh::Point& x, std::vector<CellWeight>& weights) const;
 
  private:
-  struct Sample {
-    mesh::Point x;
-    double area = 0.0;  ///< [m2]
-    std::int32_t cell = 0;
+  /// Four points of one cell; those that it does not need have no area.
+  struct Samples {
+    std::array<double, 4> x{};     ///< [m]
+    std::array<double, 4> y{};     ///< [m]; 0 where y does not count
+    std::array<double, 4> area{};  ///< [m2]
   };
   void sample_cell(const mesh::CrossSection& section, std::int32_t cell);
-  void sort_into_buckets();
-  void visit(const mesh::Point& x);
+  void find_near_cells();
+  void add(const mesh::Point& x, std::vector<CellWeight>& weights) const;
   [[nodiscard]] int bucket(double a, std::size_t axis) const;
 
   Options options_;
-  std::vector<Sample> samples_;          ///< by bucket
-  std::vector<std::uint32_t> first_;     ///< of each bucket, and the end
-  std::array<double, 2> low_{};          ///< [m]
-  std::array<int, 2> count_{};           ///< buckets in x, y; as wide as the reach
-  std::vector<double> sum_;              ///< of each cell; zero between calls
-  std::vector<std::int32_t> touched_{};  ///< cells whose sum is not zero
+  std::vector<Samples> samples_{};              ///< by cell
+  std::vector<std::uint32_t> samples_first_{};  ///< of each cell, and the end
+  // The plane, as far as the reach beyond all samples, in squares ("buckets").
+  std::array<double, 2> low_{};            ///< [m]
+  std::array<int, 2> count_{};             ///< in x, y
+  std::vector<std::int32_t> near_{};       ///< cells within the reach of some point of a bucket
+  std::vector<std::uint32_t> near_first_;  ///< of each bucket, and the end
 };
 
 }  // namespace packbed::coupling

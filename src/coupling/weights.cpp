@@ -63,16 +63,19 @@ void Weights::set_layers(const mesh::ColumnMesh& mesh, double z, std::size_t i) 
   const double thickness = mesh.top() / static_cast<double>(layers_);
   auto first = static_cast<std::int64_t>(std::floor((z - reach_z_) / thickness));
   double* weight = &layer_weight_[i * layers_per_row_];
-  const auto level = [&](std::int64_t k) { return thickness * static_cast<double>(k); };
   if (!periodic_z_) first = std::clamp<std::int64_t>(first, 0, layers_ - 1);
+  const auto below = [&](std::int64_t layer) {  // share of the kernel below its lower end
+    return kernel_integral((thickness * static_cast<double>(layer) - z) / reach_z_);
+  };
   double total = 0.0;
+  double low = below(first);
   for (std::size_t k = 0; k < layers_per_row_; ++k) {
     const auto layer = first + static_cast<std::int64_t>(k);
     const bool exists = periodic_z_ || layer < layers_;
-    weight[k] = exists ? kernel_integral((level(layer + 1) - z) / reach_z_) -
-                             kernel_integral((level(layer) - z) / reach_z_)
-                       : 0.0;
+    const double high = exists ? below(layer + 1) : low;
+    weight[k] = high - low;
     total += weight[k];
+    low = high;
   }
   if (total > 0.0) {
     for (std::size_t k = 0; k < layers_per_row_; ++k) weight[k] /= total;
