@@ -95,7 +95,8 @@ std::string curve_label(std::span<const RunData> runs, std::size_t run, const st
 std::vector<std::size_t> spread(std::size_t count, std::size_t limit) {
   std::vector<std::size_t> places;
   const auto taken = std::min(count, limit);
-  for (std::size_t k = 1; k <= taken; ++k) places.push_back(k * count / taken - 1);
+  if (taken == 1) return {count - 1};
+  for (std::size_t k = 0; k < taken; ++k) places.push_back(k * (count - 1) / (taken - 1));
   return places;
 }
 

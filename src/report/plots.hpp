@@ -67,7 +67,7 @@ double plateau_shade(const RunData& run, std::size_t plateau);
 /// Place of the plateau with the highest flow.
 std::size_t highest_flow(std::span<const Plateau> plateaus);
 
-/// At most `limit` of `count` places, evenly spread, the last one among them.
+/// At most `limit` of `count` places, evenly spread, the first and the last one among them; of one the last.
 std::vector<std::size_t> spread(std::size_t count, std::size_t limit);
 
 }  // namespace packbed::report

@@ -69,8 +69,10 @@ TEST(Branches, OfOneOrNoPlateauAreOneOrNone) {
   EXPECT_EQ(some[5].name, "up 5");
 }
 
-TEST(Spread, TakesTheLastOne) {
-  EXPECT_THAT(spread(10, 3), ElementsAre(2U, 5U, 9U));
+TEST(Spread, TakesTheFirstAndTheLastOne) {
+  EXPECT_THAT(spread(10, 3), ElementsAre(0U, 4U, 9U));
+  EXPECT_THAT(spread(10, 1), ElementsAre(9U));
+  EXPECT_THAT(spread(1, 3), ElementsAre(0U));
   EXPECT_THAT(spread(2, 3), ElementsAre(0U, 1U));
   EXPECT_THAT(spread(0, 3), IsEmpty());
 }
