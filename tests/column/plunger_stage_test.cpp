@@ -203,6 +203,37 @@ TEST(PlungerStage, ComesToAForceWithoutPassingIt) {
   }
 }
 
+/// Sum of the weights of all beads [N].
+double weight(const dem::Dem& dem) {
+  double sum = 0.0;
+  for (const auto& bead : dem.snapshot().beads) sum += bead.weight;
+  return sum;
+}
+
+// A drained step: beads have their full weight, what is told of its end included; then the liquid carries them again.
+TEST(PlungerStage, BeadsOfADrainedStepWeighWhatTheyDoInAir) {
+  auto dem = bed(settled());
+  auto o = options();
+  o.drained = true;
+  o.gravity = 9.81;
+  o.liquid_density = 998.0;
+  o.value = 0.95 * look_at_bed(dem, area).height;
+  double in_air = 0.0;
+  for (const auto& bead : dem.snapshot().beads) in_air += 9.81 * bead.mass;
+  double in_liquid = in_air;
+  for (const auto& bead : dem.snapshot().beads) {
+    in_liquid -= 9.81 * o.liquid_density * std::numbers::pi / 6.0 * std::pow(bead.diameter, 3);
+  }
+  PlungerStage stage(o, nullptr);
+  stage.begin(dem);
+  EXPECT_NEAR(weight(dem), in_air, 1e-12 * in_air);
+  finish(stage, dem);
+  EXPECT_NEAR(weight(dem), in_air, 1e-12 * in_air);
+  stage.leave(dem);
+  EXPECT_NEAR(weight(dem), in_liquid, 1e-12 * in_air);
+  EXPECT_LT(in_liquid, 0.5 * in_air);
+}
+
 // What the plunger displaces leaves below, and cells hold what the column holds.
 TEST(PlungerStage, MovesTheUpperEndOfTheLiquidWithTheBeads) {
   auto dem = bed(settled());
