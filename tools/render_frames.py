@@ -2,6 +2,7 @@
 """Draw a frame of a run: grains colored by their number of contacts, the chains of forces, and the flow if there is one.
 
 Usage: render_frames.py FRAMES NUMBER PICTURE.png    (Debian: python3-vtk9; without a screen: xvfb-run -a)
+       render_frames.py --forces PICTURE.png FRAMES:NUMBER:WORDS...    (forces alone, frames side by side)
 """
 import math
 import os
@@ -125,16 +126,12 @@ def flow(grid, top):
     return actor, bar
 
 
-def main(folder, number, picture):
-    bed = read(f"{folder}/beads_{int(number):06}.hdf")
-    contacts = read(f"{folder}/contacts_{int(number):06}.hdf")
-    x0, x1, y0, y1, z0, z1 = bed.GetBounds()
-    thickest = 0.09e-3
-    views = [((beads(bed),), "grains, colored by their contacts (2 to 9)"),
-             ((chains(contacts, thickest),), "normal forces of the contacts")]
-    liquid = f"{folder}/liquid_{int(number):06}.hdf"
-    if os.path.exists(liquid):
-        views.append((flow(read(liquid), z1), "velocity of the liquid between the grains"))
+THICKEST = 0.09e-3  # of a chain [m]
+
+
+def draw(views, bounds, picture):
+    """Panels of actors with their words, side by side, all seen alike."""
+    x0, x1, y0, y1, z0, z1 = bounds
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
@@ -164,7 +161,32 @@ def main(folder, number, picture):
     writer.Write()
 
 
+def one_frame(folder, number, picture):
+    bed = read(f"{folder}/beads_{int(number):06}.hdf")
+    contacts = read(f"{folder}/contacts_{int(number):06}.hdf")
+    views = [((beads(bed),), "grains, colored by their contacts (2 to 9)"),
+             ((chains(contacts, THICKEST),), "normal forces of the contacts")]
+    liquid = f"{folder}/liquid_{int(number):06}.hdf"
+    if os.path.exists(liquid):
+        views.append((flow(read(liquid), bed.GetBounds()[5]), "velocity of the liquid between the grains"))
+    draw(views, bed.GetBounds(), picture)
+
+
+def forces_of(picture, *frames):
+    views, bounds = [], None
+    for frame in frames:
+        folder, number, words = frame.split(":")
+        contacts = read(f"{folder}/contacts_{int(number):06}.hdf")
+        here = read(f"{folder}/beads_{int(number):06}.hdf").GetBounds()
+        bounds = bounds if bounds and bounds[5] > here[5] else here
+        views.append(((chains(contacts, THICKEST),), words))
+    draw(views, bounds, picture)
+
+
 if __name__ == "__main__":
-    if len(sys.argv) != 4:
+    if len(sys.argv) > 3 and sys.argv[1] == "--forces":
+        forces_of(*sys.argv[2:])
+    elif len(sys.argv) == 4:
+        one_frame(*sys.argv[1:])
+    else:
         sys.exit(__doc__)
-    main(*sys.argv[1:])
