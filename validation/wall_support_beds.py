@@ -41,13 +41,13 @@ count = 5
 step = "flow_ramp"
 to = "637 cm/h"
 steps = 10
-hold_limit = "0.5 s"
+hold_limit = "3 s"
 [[protocol.steps]]
 step = "flow_ramp"
 from = "637 cm/h"
 to = "0 cm/h"
 steps = 10
-hold_limit = "0.5 s"
+hold_limit = "3 s"
 """
 # Coarse grains of both resins have 0.26 mm.
 RESINS = {"sep": ("CM Sepharose 6FF", 3), "toy": ("Toyopearl SP-650M", 4)}
