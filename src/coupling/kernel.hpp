@@ -7,12 +7,13 @@
 
 namespace packbed::coupling {
 
-/// Along a line: 15/16 (1 - s^2)^2; its integral from -1 to s.
+/// Along a line: 15/16 (1 - s^2)^2; its integral from -1 to s. In powers of the distance from the nearer end: it never
+/// is below 0 or above 1 by rounding, or a cell that a bead just reaches would have a negative share of it.
 constexpr double kernel_integral(double s) {
   if (s <= -1.0) return 0.0;
-  if (s >= 1.0) return 1.0;
-  const double square = s * s;
-  return 0.5 + 15.0 / 16.0 * s * (1.0 - square * (2.0 / 3.0 - 0.2 * square));
+  if (s > 0.0) return 1.0 - kernel_integral(-s);
+  const double x = 1.0 + s;
+  return x * x * x * (1.25 - x * (0.9375 - 0.1875 * x));
 }
 
 /// Radial, of the squared distance: (1 - r^2)^2.

@@ -2,6 +2,7 @@
 #include "coupling/weights.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <map>
 
 #include <gtest/gtest.h>
@@ -55,6 +56,24 @@ TEST_P(WeightsOfShape, AddUpToOneForEachBead) {
       sum += w;
     });
     EXPECT_NEAR(sum, 1.0, 1e-12);
+  }
+}
+
+// A bead whose kernel ends within rounding of a level has no negative share beyond it.
+TEST(Weights, AreNotNegativeWhereABeadJustReachesALayer) {
+  const mesh::Slice slice{.inner_diameter = 2e-3, .depth = 0.7e-3, .height = 5e-3};
+  const mesh::ColumnMesh mesh(slice, mesh::cell_counts(slice, {}));
+  const double reach = 0.75e-3;
+  Weights weights(mesh, slice, {.reach = reach, .reach_z = reach});
+  std::vector<Vec3> points;
+  for (std::uint64_t k = 0; k < 20000; ++k) {
+    const double beyond = std::pow(10.0, -3.0 - 10.0 * u(2 * k)) * reach;
+    const double level = mesh.level(5);
+    points.push_back({0.0, 0.0, k % 2 == 0 ? level + reach - beyond : level - reach + beyond});
+  }
+  weights.set_rows(mesh, points);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    weights.for_each(i, [&](std::int64_t /*cell*/, double w) { ASSERT_GE(w, 0.0) << i; });
   }
 }
 
