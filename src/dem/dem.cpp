@@ -171,13 +171,24 @@ void Dem::check_overlaps() const {
           depth / diameter, walls_[w].name, options_.overlap_limit));
     }
   }
+  // Asked after every interval of a coupled bed: squares, until one is too near.
+  const auto is_too_near = [&](const ContactBlock& block, std::size_t lane) {
+    const auto i = static_cast<std::size_t>(block.i[lane]);
+    const auto j = static_cast<std::size_t>(block.j[lane]);
+    const Image image = {block.image[0][lane], block.image[1][lane], block.image[2][lane]};
+    const Vec3 d = particles_.motion[i].x - particles_.motion[j].x - offset(options_.domain, image);
+    const double ri = particles_.radius(i);
+    const double rj = particles_.radius(j);
+    const double least = ri + rj - 2.0 * options_.overlap_limit * std::min(ri, rj);
+    return least > 0.0 && dot(d, d) < least * least;
+  };
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    if (!is_too_near(contacts_.blocks[k / lanes], k % lanes)) continue;
     const auto p = contacts_.key(k);
     const auto i = static_cast<std::size_t>(p.i);
     const auto j = static_cast<std::size_t>(p.j);
     const double smaller = 2.0 * std::min(particles_.radius(i), particles_.radius(j));
     const double depth = overlap(p);
-    if (depth <= options_.overlap_limit * smaller) continue;
     throw DivergenceError(fmt::format(
         "step {}, time {:.6g} s: {} overlaps bead {} by {:.3g} um, {:.3g} of the smaller diameter; "
         "the limit is {:.3g}. Take a smaller step, softer loads or stiffer beads, or start with "
