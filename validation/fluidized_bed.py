@@ -155,6 +155,9 @@ def judge(tables):
                               / sum(r["velocity_m_s"] > 0.0159 for r in afloat), 0.97, 1.03, "K6: 3 %")
             if way == "down":
                 continue
+            if not fixed:  # there is no line to meet the plateau
+                good = False
+                continue
             slope = sum(r["pressure_drop_Pa"] for r in fixed) / sum(
                 ergun(r["porosity"], r["velocity_m_s"]) * r["bed_height_m"] for r in fixed)
             porosity = fixed[-1]["porosity"]

@@ -47,7 +47,7 @@ METHODS = {
     "alternating": "".join(FLOW.format(5 * k + 2.5) + DAC.format(5 * k + 5) for k in range(4)),
 }
 STORE = '\n[[protocol]]\nstep = "store"\nhold_limit = "1 s"\n'
-SERIES = (0.25, 0.5, 0.75, 1.0)  # at 1.25 a flow closes beds that are pressed by a fifth; the run says so
+SERIES = (0.25, 0.5, 0.75, 1.0)  # at 1.25 eight of 18 beds close and their runs stop (docs/verification.md)
 LOADS = {
     "cycles": '\n[[protocol]]\nstep = "cycle"\ncount = 10\nhold_limit = "1 s"\n',
     "series": "".join(

@@ -429,6 +429,11 @@ TEST_F(Resume, RefusesACheckpointOfAnotherBuild) {
       std::ofstream(entry.path(), std::ios::binary) << bytes;
       io::seal(entry.path(), io::checkpoint_format);
     }
+    // What the first rank alone reads must not leave the other one waiting.
+    const auto on_two =
+        run_shell("timeout 60 env " + call(name, "--resume -n 2"), PACKBED_SOURCE_DIR);
+    EXPECT_EQ(on_two.code, 3) << key;
+    EXPECT_THAT(on_two.err, HasSubstr("another build of packbed")) << key;
     const auto refused = run(name, "--resume -n 1");
     EXPECT_EQ(refused.code, 3) << key;
     EXPECT_THAT(refused.err, HasSubstr("another build of packbed")) << key;
