@@ -205,8 +205,9 @@ class Simulation {
   void judge_inertia(std::string_view stage) {
     const double scale = dem_->options().inertia_scale;
     if (scale <= 1.0) return;
+    const auto medium = dem_->particles().in_liquid ? dem::BedMedium::liquid : dem::BedMedium::dry;
     const auto warning = dem::inertia_warning(fmt::format("stage {} ({})", now_.stage + 1, stage),
-                                              scale, dem_->sums());
+                                              scale, dem_->sums(), medium);
     if (!warning) return;
     log_.line("warning: " + *warning);
     now_.warnings.push_back(*warning);

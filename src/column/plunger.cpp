@@ -15,6 +15,12 @@ auto find_plunger(Walls& walls) {
   });
 }
 
+/// Upwards [N]; 0 where there is no such wall.
+double force_on(std::vector<dem::Wall>::const_iterator wall, const dem::Dem& dem) {
+  if (wall == dem.walls().end()) return 0.0;
+  return dem.wall_forces()[static_cast<std::size_t>(wall - dem.walls().begin())].z;
+}
+
 }  // namespace
 
 std::optional<double> plunger_position(const std::vector<dem::Wall>& walls) {
@@ -29,10 +35,10 @@ void set_plunger_speed(double speed, dem::Dem& dem) {
   if (lid != dem.walls().end()) lid->velocity = {0.0, 0.0, speed};
 }
 
-double plunger_force(const dem::Dem& dem) {
-  const auto lid = find_plunger(dem.walls());
-  if (lid == dem.walls().end()) return 0.0;
-  return dem.wall_forces()[static_cast<std::size_t>(lid - dem.walls().begin())].z;
+double plunger_force(const dem::Dem& dem) { return force_on(find_plunger(dem.walls()), dem); }
+
+double floor_force(const dem::Dem& dem) {
+  return -force_on(std::ranges::find(dem.walls(), "floor", &dem::Wall::name), dem);
 }
 
 void place_plunger(double height, dem::Dem& dem) {

@@ -23,6 +23,9 @@ void set_plunger_speed(double speed, dem::Dem& dem);
 /// Of the beads on it, upwards [N].
 double plunger_force(const dem::Dem& dem);
 
+/// Of the beads on the floor, downwards [N]; 0 where there is none.
+double floor_force(const dem::Dem& dem);
+
 /// Puts it somewhere else at once [m], lid_away too. Lists are made anew; nothing happens where there is none.
 void place_plunger(double height, dem::Dem& dem);
 

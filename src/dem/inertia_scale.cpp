@@ -99,15 +99,22 @@ InertiaChoice dragged_inertia_scale(const DraggedBed& bed) {
                              bed.flow_step)});
 }
 
-std::optional<std::string> inertia_warning(std::string_view stage, double scale, const Sums& s) {
+std::optional<std::string> inertia_warning(std::string_view stage,
+                                           double scale,
+                                           const Sums& s,
+                                           BedMedium medium) {
   const double kinetic = share(s.kinetic_energy, s.elastic_energy);
   const double unbalanced = share(s.mean_unbalanced_force, s.mean_contact_force);
-  const double excess = std::max(kinetic / most_kinetic_share, unbalanced / most_unbalanced_share);
+  const bool is_dry = medium == BedMedium::dry;
+  const double excess =
+      std::max(is_dry ? kinetic / most_kinetic_share : 0.0, unbalanced / most_unbalanced_share);
   if (excess <= 1.0) return std::nullopt;
-  const auto figures = fmt::format(
-      "kinetic/elastic energy {:.2g} (limit {:.0e}), unbalanced/contact force {:.2g} (limit "
-      "{:.0e})",
-      kinetic, most_kinetic_share, unbalanced, most_unbalanced_share);
+  auto figures = fmt::format("unbalanced/contact force {:.2g} (limit {:.0e})", unbalanced,
+                             most_unbalanced_share);
+  if (is_dry) {
+    figures = fmt::format("kinetic/elastic energy {:.2g} (limit {:.0e}), {}", kinetic,
+                          most_kinetic_share, figures);
+  }
   const double fine = scale / excess;
   if (scale <= 1.0 || fine < 1.0) {
     return fmt::format(

@@ -83,8 +83,16 @@ InertiaChoice dragged_inertia_scale(const DraggedBed& bed);
 ///   drag rate / (s w_1^2) = drag rate rho (2 H / pi)^2 / M.
 double consolidation_time(const DraggedBed& bed);
 
+/// What damps the motion of a bed.
+enum class BedMedium { dry, liquid };
+
 /// The monitor: one line that names the stage, the figures, their limits and a scale that would have
 /// been fine; nothing if the bed counts as static. Both figures grow with s in a slowly driven bed.
-std::optional<std::string> inertia_warning(std::string_view stage, double scale, const Sums& s);
+/// In a liquid the unbalanced force alone counts: a bed that still consolidates moves without
+/// swinging (docs/theory/contact.md, section 6).
+std::optional<std::string> inertia_warning(std::string_view stage,
+                                           double scale,
+                                           const Sums& s,
+                                           BedMedium medium);
 
 }  // namespace packbed::dem

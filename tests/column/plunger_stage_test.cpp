@@ -171,6 +171,32 @@ TEST(PlungerStage, BringsABedWithoutFrictionBack) {
   EXPECT_LT(change, 1e-6);
 }
 
+// Fewer slices than a plunger in a liquid waits.
+TEST(PlungerStage, ScalesInertiaLessWhileTheBedIsLetGo) {
+  auto dem = bed(settled());
+  const double height = look_at_bed(dem, area).height;
+  auto o = options();
+  o.inertia_scale.reset();
+  o.grains = {.viscosity = 0.0,
+              .density = density_s,
+              .bead_diameter = grain(0, soft).diameter,
+              .diameter = grain(0, soft).diameter,
+              .stiffness = 0.45};
+  o.speed = 5e-4;
+  o.value = 0.87 * height;
+  PlungerStage press(o, nullptr);
+  press.begin(dem);
+  finish(press, dem);
+  o.value = 0.92 * height;
+  o.speed = -5e-4;
+  PlungerStage let_go(o, nullptr);
+  let_go.begin(dem);
+  const double before = dem.options().inertia_scale;
+  finish(let_go, dem);
+  EXPECT_GT(before, 10.0);
+  EXPECT_LT(dem.options().inertia_scale, before / 4.0);
+}
+
 // Few grains, but firm: a bed of soft ones gives way to the liquid for long.
 TEST(PlungerStage, ComesToAForceWithoutPassingIt) {
   const auto start = settle_grains(cloud_of(100, 0.1, Ranks::alone(), firm));

@@ -102,16 +102,21 @@ TEST(InertiaMonitor, NamesStageFiguresLimitsAndAScaleThatWouldHaveBeenFine) {
   s.kinetic_energy = 5e-5;
   s.mean_contact_force = 1.0;
   s.mean_unbalanced_force = 5e-4;
-  EXPECT_FALSE(inertia_warning("ramp", 1e6, s));
+  EXPECT_FALSE(inertia_warning("ramp", 1e6, s, BedMedium::dry));
   s.kinetic_energy = 4.5e-3;
-  const auto warning = inertia_warning("compress", 1e6, s);
+  const auto warning = inertia_warning("compress", 1e6, s, BedMedium::dry);
   ASSERT_TRUE(warning);
   for (const auto* part : {"compress", "inertia scale 1e+06 was too large", "0.0045", "1e-04",
                            "0.0005", "1e-03", "2e+04"}) {
     EXPECT_THAT(*warning, HasSubstr(part));
   }
-  EXPECT_THAT(*inertia_warning("compress", 1.0, s), HasSubstr("more slowly"));
-  EXPECT_FALSE(inertia_warning("empty", 1.0, Snapshot{}));
+  EXPECT_FALSE(inertia_warning("ramp", 1e6, s, BedMedium::liquid));
+  EXPECT_THAT(*inertia_warning("compress", 1.0, s, BedMedium::dry), HasSubstr("more slowly"));
+  s.mean_unbalanced_force = 4e-3;
+  const auto swings = inertia_warning("ramp", 1e6, s, BedMedium::liquid);
+  ASSERT_TRUE(swings);
+  EXPECT_THAT(*swings, AllOf(HasSubstr("0.004"), HasSubstr("2e+05"), Not(HasSubstr("kinetic"))));
+  EXPECT_FALSE(inertia_warning("empty", 1.0, Snapshot{}, BedMedium::dry));
 }
 
 /// A disordered bed: beads of 60 to 100 % of S near the places of a simple cubic lattice, pressed
@@ -190,14 +195,14 @@ TEST(InertiaScale, OfTheRuleKeepsTheForceOfThePlunger) {
     const auto scaled = press(scale, press_speed, press_strain, friction);
     EXPECT_NEAR(scaled.force / plain.force, 1.0, tolerance) << friction;
     EXPECT_NEAR(scaled.held / plain.held, 1.0, tolerance) << friction;
-    EXPECT_FALSE(inertia_warning("press", scale, scaled.end)) << friction;
+    EXPECT_FALSE(inertia_warning("press", scale, scaled.end, BedMedium::dry)) << friction;
   }
 }
 
 TEST(InertiaMonitor, FindsAScaleThatIsMuchTooLarge) {
   const double scale = 1e4 * rule().scale;
-  const auto warning =
-      inertia_warning("press", scale, press(scale, press_speed, press_strain, 0.1).end);
+  const auto warning = inertia_warning(
+      "press", scale, press(scale, press_speed, press_strain, 0.1).end, BedMedium::dry);
   ASSERT_TRUE(warning);
   EXPECT_THAT(*warning, HasSubstr("was too large"));
   EXPECT_THAT(*warning, HasSubstr("would have been fine"));

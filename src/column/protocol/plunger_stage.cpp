@@ -18,7 +18,7 @@ namespace {
 constexpr double approach_speed = 0.05;  // through free liquid [m/s]
 constexpr double least_strain = 0.01;    // elastic strain from which on a bed counts as static
 constexpr double change_of_scale = 1.5;  // before it is worth it
-constexpr std::int64_t slices_per_choice = 20;  // of the inertia scale
+constexpr std::int64_t slices_per_choice = 20;  // of the inertia scale, in a liquid; each without
 constexpr double memory_of_stiffness = 0.95;    // from slice to slice
 constexpr double least_way = 0.01;            // of a slice that tells a stiffness, over the longest
 constexpr double share_of_error = 0.1;        // of the force, that the servo closes per slice
@@ -106,7 +106,9 @@ void PlungerStage::choose_inertia(dem::Dem& dem) {
       dem.set_inertia_scale(scale);
       return;
     }
-    const double strain = std::max(least_strain, state_.force / (options_.area * bed->modulus));
+    // Where walls carry a part, the bed is strained less than at the plunger.
+    const double force = std::min(state_.force, 0.5 * (state_.force + floor_force(dem)));
+    const double strain = std::max(least_strain, force / (options_.area * bed->modulus));
     double by_rule = dem::driven_inertia_scale({.speed = std::abs(options_.speed),
                                                 .modulus = bed->modulus,
                                                 .bulk_density = bed->bulk_density,
@@ -204,7 +206,7 @@ std::optional<double> PlungerStage::time_left(double speed, const dem::Dem& dem)
 }
 
 After PlungerStage::advance(dem::Dem& dem) {
-  if (state_.slices % slices_per_choice == 0) choose_inertia(dem);
+  if (liquid_ == nullptr || state_.slices % slices_per_choice == 0) choose_inertia(dem);
   choose_step(options_, dem);
   const double slice = slice_time(dem);
   double time = slice;
