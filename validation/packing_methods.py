@@ -61,8 +61,8 @@ LAB = {"dac": (0.04, 0.07), "dac_semi_dry": (0.04, 0.07), "flow": (0.04, 0.02),
        "dac_then_flow": (0.06, 0.03), "flow_then_dac": (0.05, 0.03),
        "alternating": (0.03, 0.03)}
 COLUMNS = ("stage", "stage_name", "superficial_velocity_m_s", "pressure_drop_Pa", "bed_height_m", "compression", "S_mean",
-           "S_init", "share_above_6", "IPD_absolute_d", "sigma_z2_m2_s2", "velocity_variation", "axial_to_lateral",
-           "wall_share", "largest_overlap", "overlaps_above_0.2", "D_over_d_eff")
+           "S_init", "share_above_6", "strong_load", "tail_slope", "IPD_absolute_d", "sigma_z2_m2_s2", "velocity_variation",
+           "axial_to_lateral", "wall_share", "largest_overlap", "overlaps_above_0.2", "D_over_d_eff")
 
 
 def run_piece(piece):
@@ -99,6 +99,13 @@ def judge(tables):
             if name == "S_init":
                 after[method] = mean
         print(f"{text}  lab at RHL 0.75: S_mean {LAB[method][0]}, S_init {LAB[method][1]}")
+    packed = [t[0] for p, t in tables.items() if PIECES[p][0] == "cycles"]
+    if packed:
+        mean = {name: sum(float(r[name]) for r in packed) / len(packed) for name in ("strong_load", "tail_slope")}
+        good &= runs.line(f"P4: share of the load in contacts above <F>, mean of {len(packed)} packed beds", mean["strong_load"],
+                          0.65, 0.75, "some 70 %, thesis 3.3.4")
+        good &= runs.line("P4: slope of the exponential tail of P(F/<F>) above <F>", mean["tail_slope"], 1.1, 1.7,
+                          "of the order of 1.4, Radjai et al. 1996")
     if len(after) == len(METHODS):
         worst = max(after, key=after.get)
         good &= runs.line(f"S_init of semi-dry dynamic axial compression over the largest of all methods ({worst})",
