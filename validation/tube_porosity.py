@@ -5,7 +5,7 @@
 With the friction of the resin, and with the same friction but no resistance to rolling, like smooth hard spheres. Zou
 and Yu, Chem. Eng. Sci. 50 (1995) 1504, loose packing (constants as quoted by others, the paper itself was not read);
 Benyahia and O'Neill, Part. Sci. Technol. 23 (2005) 169, all packings, beside it. The porosity far from walls is a
-matter of friction: that of the smooth spheres is judged, of the beads of the resin what the wall adds.
+matter of friction; what the wall adds to that of the widest column is judged apart from it.
 """
 import math
 import sys
@@ -44,6 +44,7 @@ step = "settle"
 bed_height = "9 mm"
 """
 MEETS = 0.01
+WALL_MEETS = 0.005  # beds of one width differ by 0.004
 
 
 def zou_yu_loose(ratio):
@@ -77,15 +78,12 @@ def judge(tables):
         text = (f"{'smooth spheres' if kind == 'smooth' else 'beads of the resin'}, column of {ratio} diameters, "
                 f"{len(beds)} beds, {min(beds):.4f} to {max(beds):.4f}, mean")
         reference = f"Zou and Yu, loose, {loose:.4f}; Benyahia and O'Neill {benyahia_oneill(ratio):.4f}"
-        if kind == "smooth":
-            good &= runs.line(text, mean[kind, ratio], loose - MEETS, loose + MEETS, reference)
-        else:
-            print(f"{text}: {mean[kind, ratio]:.4f} ({reference})")
+        good &= runs.line(text, mean[kind, ratio], loose - MEETS, loose + MEETS, reference)
     for kind, ratio in mean:
         if ratio != WIDEST and (kind, WIDEST) in mean:
             wall = zou_yu_loose(ratio) - zou_yu_loose(WIDEST)
             good &= runs.line(f"{kind}, column of {ratio} less {WIDEST} diameters", mean[kind, ratio] - mean[kind, WIDEST],
-                              wall - MEETS, wall + MEETS, f"Zou and Yu {wall:.4f}")
+                              wall - WALL_MEETS, wall + WALL_MEETS, f"Zou and Yu {wall:.4f}")
     return good
 
 

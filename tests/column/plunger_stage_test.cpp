@@ -181,7 +181,7 @@ TEST(PlungerStage, ScalesInertiaLessWhileTheBedIsLetGo) {
               .density = density_s,
               .bead_diameter = grain(0, soft).diameter,
               .diameter = grain(0, soft).diameter,
-              .stiffness = 0.45};
+              .stiffness = 0.45};  // [N/m] about that of two of them
   o.speed = 5e-4;
   o.value = 0.87 * height;
   PlungerStage press(o, nullptr);
