@@ -45,7 +45,7 @@ Dem::Dem(const DemOptions& options,
          std::vector<Wall> walls,
          const Ranks& ranks)
     : options_(options),
-      particles_(make_particles(share_of(beads, ranks), options.inertia_scale, ranks.rank())),
+      particles_(make_particles(share_of(beads, ranks), options.inertia(), ranks.rank())),
       walls_(std::move(walls)),
       wall_contacts_(walls_.size()),
       ranks_(ranks),

@@ -33,7 +33,8 @@ struct DemOptions {
   Domain domain;
   ContactModel model;
   double step = 0.0;                ///< [s]
-  double inertia_scale = 1.0;       ///< on mass and moment of inertia, not on weight or stiffness
+  double inertia_scale = 1.0;       ///< see InertiaScale, dem/particles.hpp
+  double inertia_diameter = 0.0;    ///< [m]; 0: all beads alike
   double background_damping = 0.0;  ///< 1 / time in which a free bead would slow down [1/s]
   double skin = 0.0;                ///< gap below which pairs are listed [m]; 0: chosen
   double overlap_limit = 0.3;       ///< of the smaller diameter; beyond it the run stops
@@ -41,6 +42,8 @@ struct DemOptions {
   /// Cells by which beads belong to ranks; rows of the key grid if there are none. Not copied: it may
   /// be stretched between steps (mesh::ColumnMesh::set_top), alike on all ranks.
   std::shared_ptr<mesh::ColumnMesh> mesh = {};
+
+  [[nodiscard]] InertiaScale inertia() const { return {inertia_scale, inertia_diameter}; }
 };
 
 /// All beads taken together: forces at the present positions, velocities at the present time.
@@ -110,7 +113,8 @@ class Dem {
   void set_rolling_friction(double mu_r);
   /// Weight less buoyancy, downwards [N], of each bead.
   void set_weights(const std::function<double(const BeadProperties&)>& weight);
-  void set_inertia_scale(double scale);
+  void set_inertia(const InertiaScale& inertia);
+  void set_inertia_scale(double scale) { set_inertia({.scale = scale}); }  ///< of all beads alike
   /// Named on rank 0; all ranks call it.
   void set_velocities(const std::vector<NewVelocity>& velocities);
   /// Puts the beads into a liquid that does not pull yet, or takes them out. All ranks call it.

@@ -34,6 +34,7 @@ void Dem::scale_diameters(double factor) {
   }
   scale(particles_, factor);
   largest_diameter_ *= factor;
+  options_.inertia_diameter *= factor;
   auto pairs = contacts_.pairs();
   for (auto& p : pairs) p.coefficients = coefficients_of(p);
   contacts_ = ContactList(pairs, options_.domain, static_cast<std::int32_t>(particles_.size()));

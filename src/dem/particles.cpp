@@ -61,7 +61,7 @@ void add(Particles& particles,
 }
 
 Particles make_particles(std::span<const BeadStart> beads,
-                         double inertia_scale,
+                         const InertiaScale& inertia,
                          std::int32_t rank) {
   Particles p;
   p.rank = rank;
@@ -69,12 +69,12 @@ Particles make_particles(std::span<const BeadStart> beads,
   add_dummies(p);
   for (const auto& bead : beads) {
     const auto& b = bead.properties;
-    const double mass = inertia_scale * b.mass;
-    const double inertia = 0.1 * mass * b.diameter * b.diameter;  // 2/5 m R^2
+    const double mass = inertia.of(b.diameter) * b.mass;
+    const double moment = 0.1 * mass * b.diameter * b.diameter;  // 2/5 m R^2
     const Motion motion{.x = bead.x,
                         .v = bead.v,
                         .inv_mass = b.fixed ? 0.0 : 1.0 / mass,
-                        .inv_inertia = b.fixed ? 0.0 : 1.0 / inertia};
+                        .inv_inertia = b.fixed ? 0.0 : 1.0 / moment};
     add(p, motion, {.w = bead.w, .half_radius = 0.25 * b.diameter}, b, rank);
   }
   return p;

@@ -16,6 +16,21 @@
 
 namespace packbed::dem {
 
+/// Factor on mass and moment of inertia of the beads that move, not on their weight or stiffness: `scale` for
+/// all; or, with a `diameter` D [m], 1 + (scale - 1) (D / d + (D / d)^2) / 2 for a bead of diameter d, so that
+/// the contacts of a small bead ask for no shorter a step than those of a large one. docs/theory/contact.md,
+/// section 6.
+struct InertiaScale {
+  double scale = 1.0;
+  double diameter = 0.0;  ///< 0: all alike
+
+  [[nodiscard]] double of(double d) const {
+    if (diameter <= 0.0) return scale;
+    const double ratio = diameter / d;
+    return 1.0 + (scale - 1.0) * 0.5 * (ratio + ratio * ratio);
+  }
+};
+
 /// Velocities belong to half steps while a run is under way (dem/dem.hpp).
 struct alignas(64) Motion {
   Vec3 x;                    ///< center [m]
@@ -87,9 +102,9 @@ struct BeadStart {
   Vec3 w;  ///< [rad/s]
 };
 
-/// Particles from their start, all own beads of `rank`; inertia is scaled by `inertia_scale`.
+/// Particles from their start, all own beads of `rank`.
 Particles make_particles(std::span<const BeadStart> beads,
-                         double inertia_scale,
+                         const InertiaScale& inertia,
                          std::int32_t rank = 0);
 
 /// Adds a bead before the dummies.

@@ -235,12 +235,16 @@ Coefficients Dem::coefficients_of(const PairKey& p) const {
   const auto& i = particles_.properties[static_cast<std::size_t>(p.i)];
   const auto& j = particles_.properties[static_cast<std::size_t>(p.j)];
   // A fixed bead is as heavy as a wall.
-  const double m_eff = i.fixed ? j.mass : (j.fixed ? i.mass : effective(i.mass, j.mass));
-  const Pair pair{.i = i.material,
-                  .j = j.material,
-                  .r_eff = effective(0.5 * i.diameter, 0.5 * j.diameter),
-                  .m_eff = m_eff,
-                  .m_scaled = options_.inertia_scale * m_eff};
+  const auto together = [&](double m_i, double m_j) {
+    return i.fixed ? m_j : (j.fixed ? m_i : effective(m_i, m_j));
+  };
+  const auto inertia = options_.inertia();
+  const Pair pair{
+      .i = i.material,
+      .j = j.material,
+      .r_eff = effective(0.5 * i.diameter, 0.5 * j.diameter),
+      .m_eff = together(i.mass, j.mass),
+      .m_scaled = together(inertia.of(i.diameter) * i.mass, inertia.of(j.diameter) * j.mass)};
   return std::visit([&](const auto& law) { return law.coefficients(pair); },
                     options_.model.contact);
 }
@@ -253,7 +257,7 @@ void Dem::fill_coefficients(const Wall& wall, WallContacts& contacts) const {
                     .j = wall.material,
                     .r_eff = 0.5 * bead.diameter,
                     .m_eff = bead.mass,
-                    .m_scaled = options_.inertia_scale * bead.mass};
+                    .m_scaled = options_.inertia().of(bead.diameter) * bead.mass};
     contact.coefficients =
         std::visit([&](const auto& law) { return law.coefficients(pair); }, options_.model.contact);
   }

@@ -132,6 +132,7 @@ DemState Dem::state() const {
                 .walls_moved = walls_moved_,
                 .cell = cell_,
                 .inertia_scale = options_.inertia_scale,
+                .inertia_diameter = options_.inertia_diameter,
                 .background_damping = options_.background_damping,
                 .friction = options_.model.friction,
                 .rolling_friction = rolling_friction_of(options_.model.rolling),
@@ -162,6 +163,7 @@ void Dem::take_over(const DemProgress& progress) {
   options_.step = progress.step;
   options_.skin = progress.skin;
   options_.inertia_scale = progress.inertia_scale;
+  options_.inertia_diameter = progress.inertia_diameter;
   options_.background_damping = progress.background_damping;
   options_.model.friction = progress.friction;
   set_rolling_friction(progress.rolling_friction);
@@ -184,7 +186,7 @@ void Dem::restore_lists(const DemState& all) {
   }
   partition_.balance(share, std::vector<std::int64_t>(share.size(), 1), options_.load_tolerance,
                      true);
-  particles_ = make_particles({}, 1.0);
+  particles_ = make_particles({}, {});
   particles_.rank = ranks_.rank();
   particles_.in_liquid = all.progress.in_liquid != 0;
   std::vector<const BeadState*> here;
@@ -232,7 +234,7 @@ void Dem::restore_lists(const DemState& all) {
 void Dem::start_anew(const DemState& all) {
   cell_ = std::max(cell_, largest_diameter_);
   partition_ = Partition(options_.domain, cell_, ranks_, options_.mesh);
-  particles_ = make_particles({}, 1.0);
+  particles_ = make_particles({}, {});
   particles_.rank = ranks_.rank();
   particles_.in_liquid = all.progress.in_liquid != 0;
   renewals_ = 0;  // cuts the rows in any case
@@ -254,7 +256,7 @@ void Dem::start_anew(const DemState& all) {
 }
 
 Motion Dem::motion_of(const BeadProperties& bead, const Vec3& x, const Vec3& v) const {
-  const double mass = options_.inertia_scale * bead.mass;
+  const double mass = options_.inertia().of(bead.diameter) * bead.mass;
   return {.x = x,
           .v = v,
           .inv_mass = bead.fixed ? 0.0 : 1.0 / mass,
@@ -289,8 +291,9 @@ void Dem::set_velocities(const std::vector<NewVelocity>& velocities) {
   }
 }
 
-void Dem::set_inertia_scale(double scale) {
-  options_.inertia_scale = scale;
+void Dem::set_inertia(const InertiaScale& inertia) {
+  options_.inertia_scale = inertia.scale;
+  options_.inertia_diameter = inertia.diameter;
   for (std::size_t i = 0; i < particles_.size(); ++i) {
     auto& m = particles_.motion[i];
     m = motion_of(particles_.properties[i], m.x, m.v);

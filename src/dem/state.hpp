@@ -62,6 +62,7 @@ struct DemProgress {
   double walls_moved = 0.0;  ///< since the renewal [m]
   double cell = 0.0;         ///< width of the key grid [m]
   double inertia_scale = 1.0;
+  double inertia_diameter = 0.0;    ///< 0: all beads alike [m]
   double background_damping = 0.0;  ///< [1/s]
   double friction = 0.0;
   double rolling_friction = 0.0;  ///< 0 where the law has none

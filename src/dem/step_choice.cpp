@@ -52,18 +52,27 @@ StepChoice choose_step(const ContactLaw& law,
   double mean = 0.0;
   for (const auto& bead : beads) mean += bead.diameter / static_cast<double>(beads.size());
 
-  StepChoice choice{.step = infinite, .contact_time = infinite, .stable_in_a_bed = infinite};
+  StepChoice choice{.step = infinite,
+                    .contact_time = infinite,
+                    .contact_time_per_diameter = infinite,
+                    .smallest_diameter = infinite,
+                    .stable_in_a_bed = infinite};
+  const auto watch = [&choice](double time, double diameter) {
+    choice.contact_time = std::min(choice.contact_time, time);
+    choice.contact_time_per_diameter = std::min(choice.contact_time_per_diameter, time / diameter);
+  };
   for (const auto& bead : beads) {
     const auto alike =
         contact_of(law, pair_of(bead, bead.diameter, bead.mass, bead.material, inertia_scale));
-    choice.contact_time = std::min(choice.contact_time, alike.time());
+    watch(alike.time(), bead.diameter);
+    choice.smallest_diameter = std::min(choice.smallest_diameter, bead.diameter);
     for (const auto& wall : walls) {
       const Pair pair{.i = bead.material,
                       .j = wall,
                       .r_eff = 0.5 * bead.diameter,
                       .m_eff = bead.mass,
                       .m_scaled = inertia_scale * bead.mass};
-      choice.contact_time = std::min(choice.contact_time, contact_of(law, pair).time());
+      watch(contact_of(law, pair).time(), bead.diameter);
     }
     const double mean_mass = bead.mass * std::pow(mean / bead.diameter, 3);
     const auto in_bed =

@@ -13,9 +13,11 @@
 namespace packbed::dem {
 
 struct StepChoice {
-  double step;             ///< recommended [s]
-  double contact_time;     ///< of the shortest contact, undamped [s]
-  double stable_in_a_bed;  ///< estimate with `bed_contacts` contacts per bead [s]
+  double step;                       ///< recommended [s]
+  double contact_time;               ///< of the shortest contact, undamped [s]
+  double contact_time_per_diameter;  ///< the least, over the diameter of its bead [s/m]
+  double smallest_diameter;          ///< [m]
+  double stable_in_a_bed;            ///< estimate with `bed_contacts` contacts per bead [s]
 };
 
 /// Contacts of a bead in a compressed bed, for the estimate.

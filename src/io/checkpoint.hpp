@@ -85,6 +85,7 @@ class CheckpointReader {
   // All below: by each rank for itself. DataError if the name is not there or is of another type.
 
   [[nodiscard]] bool has_array(const std::string& name) const;
+  [[nodiscard]] bool has_number(const std::string& name) const;
   [[nodiscard]] std::int64_t rows(const std::string& name) const;
   [[nodiscard]] std::size_t width(const std::string& name) const;
   [[nodiscard]] std::vector<std::string> arrays() const;  ///< their names, sorted

@@ -93,6 +93,10 @@ template std::vector<std::uint8_t> CheckpointReader::read(const std::string&,
                                                           std::int64_t,
                                                           std::int64_t) const;
 
+bool CheckpointReader::has_number(const std::string& name) const {
+  return content_.open_group("numbers").has_number(name);
+}
+
 double CheckpointReader::number(const std::string& name) const {
   return content_.open_group("numbers").read_number(name);
 }

@@ -58,6 +58,7 @@ void visit_progress(Progress& p, Integer integer, Number number) {
   number("walls_moved_m", p.walls_moved);
   number("cell_m", p.cell);
   number("inertia_scale", p.inertia_scale);
+  number("inertia_diameter_m", p.inertia_diameter);
   number("background_damping_1_s", p.background_damping);
   number("friction", p.friction);
   number("rolling_friction", p.rolling_friction);
@@ -156,7 +157,12 @@ dem::DemState read_dem_state(const CheckpointReader& reader, std::vector<dem::Wa
       [&](const char* name, std::int64_t& value) {
         value = reader.integer(std::string("dem/") + name);
       },
-      [&](const char* name, double& value) { value = reader.number(std::string("dem/") + name); });
+      [&](const char* name, double& value) {
+        const auto key = std::string("dem/") + name;
+        const bool is_older = &value == &s.progress.inertia_diameter && !reader.has_number(key);
+        if (!is_older)
+          value = reader.number(key);  // before there was a choice all were scaled alike
+      });
 
   const auto id = reader.read<std::int64_t>("dem/id");
   const auto properties = reader.read<double>("dem/properties");

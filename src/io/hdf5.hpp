@@ -95,6 +95,7 @@ class Object {
   void write_attribute(const std::string& name, double value) const;
   void write_attribute(const std::string& name, std::span<const std::int64_t> values) const;
   void write_attribute(const std::string& name, std::string_view ascii) const;
+  [[nodiscard]] bool has_number(const std::string& name) const;
   [[nodiscard]] double read_number(const std::string& name) const;
   [[nodiscard]] std::int64_t read_integer(const std::string& name) const;
   /// A text as a value of its own. All ranks make it, those with `writes` fill it.

@@ -67,6 +67,8 @@ T read_single(hid_t object,
 
 }  // namespace
 
+bool Object::has_number(const std::string& name) const { return H5Aexists(id_, name.c_str()) > 0; }
+
 double Object::read_number(const std::string& name) const {
   return read_single<double>(id_, name, Element::float64, file_, label(name));
 }

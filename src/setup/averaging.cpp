@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "resin/size_statistics.hpp"
@@ -12,7 +13,8 @@ namespace packbed::setup {
 GrainSizes grain_sizes(const Case& c) {
   if (c.resin.sizes) {
     const auto s = resin::statistics(*c.resin.sizes);
-    return {c.resin.coarse_grain * s.mean, s.sauter};
+    const double inertia = std::sqrt(std::pow(s.volume_mean, 3) / s.mean);
+    return {c.resin.coarse_grain * s.mean, s.sauter, c.resin.coarse_grain * inertia};
   }
   std::array<double, 4> moments{};
   for (const double d : c.beads.table.diameter) {
@@ -22,7 +24,8 @@ GrainSizes grain_sizes(const Case& c) {
       power *= d;
     }
   }
-  return {moments[1] / moments[0], moments[3] / moments[2] / c.resin.coarse_grain};
+  return {moments[1] / moments[0], moments[3] / moments[2] / c.resin.coarse_grain,
+          std::sqrt(moments[3] / moments[1])};
 }
 
 double averaging_reach(const Case& c) {

@@ -12,6 +12,7 @@ inline constexpr double reach_in_diameters = 3.0;
 struct GrainSizes {
   double mean = 0.0;         ///< diameter of the grains [m]
   double bead_sauter = 0.0;  ///< Sauter mean of the beads [m]
+  double inertia = 0.0;      ///< root of mean cube over mean, of the grains [m]
 };
 GrainSizes grain_sizes(const Case& c);
 

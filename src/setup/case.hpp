@@ -229,9 +229,13 @@ inline bool Repeat::operator==(const Repeat& other) const {
 
 // --- numerics and output
 
+/// Whether a flow and the plunger scale the inertia of small beads more, or that of all alike.
+enum class InertiaScaling { by_size, uniform };
+
 struct NumericsOptions {
   std::optional<double> step;           ///< of the beads [s]; none: computed
   std::optional<double> inertia_scale;  ///< none: chosen by the program
+  InertiaScaling inertia_scaling = InertiaScaling::by_size;
   std::uint64_t seed = 0;
   bool gravity = true;
   std::optional<double> background_damping;  ///< time in which a free bead slows down [s]

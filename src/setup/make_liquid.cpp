@@ -78,13 +78,20 @@ column::DriveOptions drive_options(const Case& c, const dem::StepChoice& step) {
   o.area = mesh::cross_section(c.column.shape);
   o.coupling_interval = c.coupling.interval;
   o.inertia_scale = c.numerics.inertia_scale;
-  o.stepping = {.longest_step = step.contact_time / dem::fewest_steps_per_contact,
+  o.inertia_by_size = c.numerics.inertia_scaling == InertiaScaling::by_size;
+  // The times of `step` are at the inertia scale that the case gives.
+  const double steps_per_contact =
+      dem::fewest_steps_per_contact * std::sqrt(c.numerics.inertia_scale.value_or(1.0));
+  o.smallest_diameter = step.smallest_diameter;
+  o.longest_step_per_diameter = step.contact_time_per_diameter / steps_per_contact;
+  o.stepping = {.longest_step = step.contact_time / steps_per_contact,
                 .fixed_step = c.numerics.step,
                 .force_step = c.numerics.force_step};
   o.grains = {.viscosity = c.liquid ? c.liquid->viscosity : 0.0,
               .density = mean(c.resin.density, c.beads.table.density),
               .bead_diameter = sizes.bead_sauter,
               .diameter = sizes.mean,
+              .inertia_diameter = sizes.inertia,
               .stiffness = stiffness_of(c, sizes.mean)};
   return o;
 }

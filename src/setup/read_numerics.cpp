@@ -9,6 +9,8 @@ NumericsOptions read_numerics(Section section, const std::vector<ProtocolStep>& 
       section.quantity_or_word("step", Dimension::time, bounds::positive, "auto", Fallback{"auto"});
   numerics.inertia_scale = section.quantity_or_word("inertia_scale", Dimension::fraction,
                                                     bounds::positive, "auto", Fallback{"auto"});
+  numerics.inertia_scaling = static_cast<InertiaScaling>(
+      section.choice("inertia_scaling", {"by_size", "uniform"}, Fallback{"by_size"}));
   numerics.seed = static_cast<std::uint64_t>(section.integer("seed", 0, Fallback{"1"}));
   numerics.background_damping = section.quantity_or_word(
       "background_damping", Dimension::time, bounds::positive, "none", Fallback{"none"});

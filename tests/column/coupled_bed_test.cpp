@@ -5,13 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "column/protocol/bed_look.hpp"
 #include "column/protocol/flow_stage.hpp"
 #include "core/error.hpp"
+#include "dem/step_choice.hpp"
 #include "tests/support/settling.hpp"
 
 namespace packbed::column {
@@ -375,6 +378,65 @@ TEST(FlowStage, ChoosesInertiaAndIntervalForEachPlateau) {
   const auto down = scales_of(o);
   ASSERT_EQ(down.size(), 4U);
   EXPECT_LT(down.back(), 0.99 * down.front());
+}
+
+// Grains of 200 to 320 um. Steps are longer where small grains are scaled more, and the bed ends as the other one does.
+TEST(FlowStage, ScalesInertiaBySizeAndTakesLongerSteps) {
+  const auto end_of = [](bool by_size) {
+    auto dem = bed_at_rest(1.0);
+    auto bed = liquid();
+    auto o = jumps(1000 * cm_h, 2, 0.1, 2e-3);
+    o.ramps = true;
+    o.inertia_by_size = by_size;
+    o.grains.inertia_diameter = 267e-6;  // of sizes that are all as frequent
+    o.longest_step_per_diameter = 1.0;   // as far as the bed stays at rest
+    o.smallest_diameter = 200e-6;
+    FlowStage stage(o, bed);
+    stage.begin(dem);
+    const auto before = dem.steps();
+    while (stage.advance(dem) != After::end) {}
+    return std::array{bed.figures().pressure_drop, look_at_bed(dem, area).height,
+                      static_cast<double>(dem.steps() - before)};
+  };
+  const auto alike = end_of(false);
+  const auto by_size = end_of(true);
+  EXPECT_NEAR(by_size[0] / alike[0], 1.0, 2e-3);
+  EXPECT_NEAR(by_size[1] / alike[1], 1.0, 1e-4);
+  EXPECT_LT(by_size[2], 0.95 * alike[2]);
+}
+
+// No contact of two grains lasts less than ten of the longest steps.
+TEST(BedRules, LongestStepResolvesContactsOfAllSizes) {
+  const auto law = hooke(0.5, false);
+  std::vector<dem::BeadProperties> beads;
+  for (std::int64_t id = 0; id < 40; ++id) beads.push_back(grain(id, firm));
+  const auto choice = dem::choose_step(law, beads, {}, 1.0);
+  DriveOptions o;
+  o.stepping.longest_step = choice.contact_time / dem::fewest_steps_per_contact;
+  o.longest_step_per_diameter = choice.contact_time_per_diameter / dem::fewest_steps_per_contact;
+  o.smallest_diameter = choice.smallest_diameter;
+  for (const double s : {1.0, 3.0, 1e4}) {
+    const dem::InertiaScale inertia{.scale = s, .diameter = 267e-6};
+    double shortest = 1.0;
+    for (const auto& i : beads) {
+      for (const auto& j : beads) {
+        const double m_i = inertia.of(i.diameter) * i.mass;
+        const double m_j = inertia.of(j.diameter) * j.mass;
+        const dem::Pair pair{.i = firm,
+                             .j = firm,
+                             .r_eff = dem::effective(0.5 * i.diameter, 0.5 * j.diameter),
+                             .m_eff = dem::effective(i.mass, j.mass),
+                             .m_scaled = dem::effective(m_i, m_j)};
+        const double k_n = law.coefficients(pair).a;
+        shortest = std::min(shortest, std::numbers::pi * std::sqrt(pair.m_scaled / k_n));
+      }
+    }
+    const double longest = longest_step(o, inertia);
+    EXPECT_LE(longest, 0.1 * shortest * (1.0 + 1e-9)) << s;
+    EXPECT_GT(longest, 0.098 * shortest) << s;
+  }
+  const dem::InertiaScale alike{.scale = 9.0};
+  EXPECT_NEAR(longest_step(o, alike) / o.stepping.longest_step, 3.0, 1e-12);
 }
 
 // A stage that is saved within a plateau tells the same of it as one that was not interrupted.

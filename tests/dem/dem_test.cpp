@@ -127,6 +127,23 @@ TEST(Dem, InertiaScaleKeepsRestitutionAndStretchesTime) {
   EXPECT_NEAR(scaled.time() / plain.time(), std::sqrt(s), 1e-9);
 }
 
+// Damping follows the masses that move, of each bead its own.
+TEST(Dem, InertiaScaledBySizeKeepsRestitution) {
+  const auto uneven = [](double speed) { return head_on(speed, diameter_s, 0.4 * diameter_s); };
+  Dem plain(options(hooke(0.5), 1e-9), uneven(0.1), {});
+  auto o = options(hooke(0.5), 1e-8);
+  o.inertia_scale = 100.0;
+  o.inertia_diameter = diameter_s;
+  Dem scaled(o, uneven(0.01), {});
+  const auto& p = scaled.particles();
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const auto& bead = p.properties[i];
+    const double factor = bead.id == 0 ? 100.0 : 1.0 + 99.0 * 4.375;
+    EXPECT_NEAR(p.motion[i].inv_mass * factor * bead.mass, 1.0, 1e-12) << bead.id;
+  }
+  EXPECT_NEAR(restitution_of(scaled), restitution_of(plain), 1e-4);
+}
+
 TEST(Dem, StopsAtOverlapsBeyondTheLimitNamingTheBead) {
   const auto message = message_of([] {
     Dem(options(hooke(0.5), 1e-8), {bead(7, {}), bead(8, {0.5 * diameter_s, 0, 0})}, {});

@@ -22,6 +22,17 @@ TEST(InertiaScale, EstimatedModulusIsThatOfAnAffinePacking) {
               1e-4);
 }
 
+TEST(InertiaScale, BySizeIsTheScaleItselfAtItsDiameterAndMoreForSmallerBeads) {
+  const InertiaScale alike{.scale = 100.0};
+  const InertiaScale by_size{.scale = 100.0, .diameter = 2.0};
+  EXPECT_EQ(alike.of(1.0), 100.0);
+  EXPECT_EQ(by_size.of(2.0), 100.0);
+  EXPECT_EQ(by_size.of(1.0), 1.0 + 99.0 * 3.0);
+  EXPECT_EQ(by_size.of(4.0), 1.0 + 99.0 * 0.375);
+  const InertiaScale none{.scale = 1.0, .diameter = 2.0};
+  for (const double d : {0.01, 1.0, 3.0}) EXPECT_EQ(none.of(d), 1.0);
+}
+
 // Drag rate 1.6e5 1/s, M = 3e5 Pa, rho 1140: the figures of the trial beds of coarse grains.
 DraggedBed trial_bed(double height) {
   return {.drag_rate = 1.6e5,
@@ -130,7 +141,7 @@ struct Pressed {
   Snapshot end;
 };
 
-Pressed press(double scale, double speed, double strain, double friction) {
+Pressed press(double scale, double speed, double strain, double friction, double mean = 0.0) {
   const double pitch = 0.86 * diameter_s;
   const double height = layers * pitch;
   std::vector<BeadStart> beads;
@@ -156,6 +167,7 @@ Pressed press(double scale, double speed, double strain, double friction) {
   o.background_damping = 5e4 / std::sqrt(scale);
   Dem dem(o, beads, {floor_at(0, friction), lid});
   dem.run(4000);  // comes to rest
+  dem.set_inertia({.scale = scale, .diameter = mean});
   dem.set_background_damping(0.0);
   dem.walls()[1].velocity = {0, 0, -speed};
   const auto steps = static_cast<std::int64_t>(strain * height / speed / o.step);
@@ -196,6 +208,10 @@ TEST(InertiaScale, OfTheRuleKeepsTheForceOfThePlunger) {
     EXPECT_NEAR(scaled.force / plain.force, 1.0, tolerance) << friction;
     EXPECT_NEAR(scaled.held / plain.held, 1.0, tolerance) << friction;
     EXPECT_FALSE(inertia_warning("press", scale, scaled.end, BedMedium::dry)) << friction;
+    const auto by_size = press(scale, press_speed, press_strain, friction, diameter_s);
+    EXPECT_NE(by_size.force, scaled.force) << friction;
+    EXPECT_NEAR(by_size.force / plain.force, 1.0, tolerance) << friction;
+    EXPECT_NEAR(by_size.held / plain.held, 1.0, tolerance) << friction;
   }
 }
 

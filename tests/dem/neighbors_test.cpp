@@ -78,7 +78,7 @@ std::set<Key> found(const Particles& p, const Domain& domain, double skin) {
 TEST(FindPairs, AgreesWithBruteForceAtASizeRatioOfTen) {
   for (const auto& domain :
        {box(false, false, false), box(true, false, true), box(true, true, true)}) {
-    const auto p = make_particles(random_beads(400, 0.0), 1.0);
+    const auto p = make_particles(random_beads(400, 0.0), {});
     for (const double skin : {0.0, 5e-6, 80e-6}) {
       const auto expected = brute_force(p, domain, skin);
       EXPECT_EQ(found(p, domain, skin), expected) << expected.size();
@@ -89,7 +89,7 @@ TEST(FindPairs, AgreesWithBruteForceAtASizeRatioOfTen) {
 // I5 in full: 2000 beads, without and with a large skin.
 TEST(FindPairs, AgreesWithBruteForceForTwoThousandBeads) {
   const auto domain = box(true, true, true);
-  const auto p = make_particles(random_beads(2000, 0.0), 1.0);
+  const auto p = make_particles(random_beads(2000, 0.0), {});
   const auto touching = brute_force(p, domain, 0.0, 1);
   EXPECT_EQ(found(p, domain, 0.0), touching);
   EXPECT_EQ(found(p, domain, 30e-6), brute_force(p, domain, 30e-6, 1));
@@ -101,16 +101,16 @@ TEST(FindPairs, TellsImagesApartInAThinSlice) {
   Domain slice = box(false, true, false);
   slice.size[1] = 100e-6;
   const auto p =
-      make_particles(std::vector{bead(0, {0, 10e-6, 0}), bead(1, {60e-6, 60e-6, 0})}, 1.0);
+      make_particles(std::vector{bead(0, {0, 10e-6, 0}), bead(1, {60e-6, 60e-6, 0})}, {});
   EXPECT_EQ(found(p, slice, 0.0).size(), 2U);
   EXPECT_EQ(found(p, slice, 0.0), brute_force(p, slice, 0.0));
   EXPECT_EQ(found(p, slice, 40e-6), brute_force(p, slice, 40e-6));
 }
 
 TEST(FindPairs, OfFewBeadsIsEmpty) {
-  EXPECT_TRUE(found(make_particles({}, 1.0), box(false, false, false), 1e-6).empty());
+  EXPECT_TRUE(found(make_particles({}, {}), box(false, false, false), 1e-6).empty());
   EXPECT_TRUE(
-      found(make_particles(std::vector{bead(0, {})}, 1.0), box(true, true, true), 1e-6).empty());
+      found(make_particles(std::vector{bead(0, {})}, {}), box(true, true, true), 1e-6).empty());
 }
 
 // I5, second half: the renewal never comes late, with a wide and a narrow skin, for fast movers.
@@ -175,7 +175,7 @@ TEST(CarryOver, TurnsThePairAroundWhenTheOrderOfItsBeadsChanges) {
 }
 
 TEST(ContactList, GivesItsPairsBack) {
-  const auto p = make_particles(random_beads(200, 0.0), 1.0);
+  const auto p = make_particles(random_beads(200, 0.0), {});
   std::vector<PairContact> pairs;
   for (const auto& key : find_pairs(p, box(true, true, true), 10e-6))
     pairs.push_back({key, {}, {}});
@@ -194,7 +194,7 @@ TEST(ContactList, GivesItsPairsBack) {
 // Where blocks begin must not change a bit: 0 to 31 dummy pairs in front of the list.
 TEST(ContactForces, DoNotDependOnWhereBlocksBegin) {
   const auto domain = box(true, true, true);
-  auto start = make_particles(random_beads(300, 1.0), 1.0);
+  auto start = make_particles(random_beads(300, 1.0), {});
   std::vector<PairContact> pairs;
   for (const auto& key : find_pairs(start, domain, 1e-6)) {
     pairs.push_back(
@@ -221,7 +221,7 @@ TEST(ContactForces, DoNotDependOnWhereBlocksBegin) {
 // The same on a bed that moves: 200 steps with the same list, springs and rolling springs carried along.
 TEST(ContactForces, OfAMovingBedDoNotDependOnWhereBlocksBegin) {
   const auto domain = box(true, true, true);
-  const auto start = make_particles(random_beads(300, 0.2), 1.0);
+  const auto start = make_particles(random_beads(300, 0.2), {});
   const Hooke law = hooke(0.5, false);
   const ContactModel model{.contact = law, .rolling = ElasticPlastic{0.2}, .friction = 0.3};
   std::vector<PairContact> pairs;

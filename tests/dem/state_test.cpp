@@ -194,5 +194,18 @@ TEST(DemState, SettersActFromTheNextStepOn) {
   EXPECT_TRUE(same_bits(resumed.snapshot().force, dem.snapshot().force));
 }
 
+TEST(DemState, HoldsAnInertiaThatIsScaledBySize) {
+  auto dem = slice();
+  dem.set_inertia({.scale = 50.0, .diameter = 1.1 * diameter_s});
+  dem.run(300);
+  const auto s = dem.state();
+  Dem resumed(options_of_slice(), s, Dem::Lists::as_saved);
+  EXPECT_EQ(resumed.particles().motion[3].inv_mass, dem.particles().motion[3].inv_mass);
+  dem.run(300);
+  resumed.run(300);
+  EXPECT_TRUE(same_bits(resumed.snapshot().x, dem.snapshot().x));
+  EXPECT_TRUE(same_bits(resumed.snapshot().v, dem.snapshot().v));
+}
+
 }  // namespace
 }  // namespace packbed::dem

@@ -169,8 +169,9 @@ std::string random_case() {
   for (int i = 0; i < count; ++i) text += step("protocol", 0);
   text += "[numerics]\n" + maybe("step", *element<std::string>("\"auto\"", "\"1.5 us\"")) +
           maybe("inertia_scale", *element<std::string>("\"auto\"", "500", "12.5")) +
-          maybe("seed", "7") + maybe("force_step", "true") +
-          maybe("overlap_limit", number(0.1, 0.6)) + maybe("background_damping", "\"20 ms\"");
+          maybe("inertia_scaling", "\"uniform\"") + maybe("seed", "7") +
+          maybe("force_step", "true") + maybe("overlap_limit", number(0.1, 0.6)) +
+          maybe("background_damping", "\"20 ms\"");
   return text + "[output]\n" + maybe("interval", quantity(1, 50, {"ms"})) +
          maybe("beads_csv", "true") +
          *element<std::string>("", "analysis = false\n", "frames = false\n");

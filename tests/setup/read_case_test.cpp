@@ -57,6 +57,7 @@ TEST_F(ReadCase, FillsInTheLibraryAndTheDefaults) {
   EXPECT_FALSE(c.liquid);
   EXPECT_FALSE(c.numerics.step);
   EXPECT_FALSE(c.numerics.inertia_scale);
+  EXPECT_EQ(c.numerics.inertia_scaling, InertiaScaling::by_size);
   EXPECT_EQ(c.numerics.seed, 1U);
   EXPECT_TRUE(c.numerics.gravity);
   EXPECT_EQ(read_case_text(slice_of_sep, "/a/my.toml", units_).output.directory, "runs/my");
@@ -218,6 +219,7 @@ duration = "10 us"
 gravity = false
 step = "10 ns"
 inertia_scale = 1
+inertia_scaling = "uniform"
 )"),
                            units_);
 
@@ -226,6 +228,7 @@ inertia_scale = 1
   EXPECT_FALSE(c.resin.sizes);
   EXPECT_EQ(c.numerics.step, 1e-8);
   EXPECT_EQ(c.numerics.inertia_scale, 1.0);
+  EXPECT_EQ(c.numerics.inertia_scaling, InertiaScaling::uniform);
   EXPECT_FALSE(c.numerics.gravity);
 }
 

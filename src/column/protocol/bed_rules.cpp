@@ -37,9 +37,22 @@ dem::DraggedBed dragged_bed(const BedState& bed,
           .flow_step = flow_step};
 }
 
+void scale_inertia(const DriveOptions& options, double scale, dem::Dem& dem) {
+  const double diameter = options.inertia_by_size ? options.grains.inertia_diameter : 0.0;
+  dem.set_inertia({.scale = scale, .diameter = diameter});
+}
+
+double longest_step(const DriveOptions& options, const dem::InertiaScale& inertia) {
+  const double shortest = options.stepping.longest_step;
+  if (inertia.diameter <= 0.0 || inertia.scale <= 1.0) return shortest * std::sqrt(inertia.scale);
+  const double between = 0.5 * inertia.diameter * (options.smallest_diameter + inertia.diameter);
+  return std::hypot(shortest,
+                    options.longest_step_per_diameter * std::sqrt((inertia.scale - 1.0) * between));
+}
+
 void choose_step(const DriveOptions& options, dem::Dem& dem) {
   auto stepping = options.stepping;
-  stepping.longest_step *= std::sqrt(dem.options().inertia_scale);
+  stepping.longest_step = longest_step(options, dem.options().inertia());
   choose_step(stepping, dem);
 }
 

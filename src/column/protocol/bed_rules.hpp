@@ -21,11 +21,12 @@ inline constexpr double interval_of_plateau = 0.05;
 
 /// What the rules ask for besides the bed itself.
 struct GrainProperties {
-  double viscosity = 0.0;      ///< of the liquid; 0: dry [Pa s]
-  double density = 0.0;        ///< of the beads [kg/m3]
-  double bead_diameter = 0.0;  ///< Sauter mean of the beads that grains stand for [m]
-  double diameter = 0.0;       ///< mean, of the grains [m]
-  double stiffness = 0.0;      ///< of a contact of two of them [N/m]
+  double viscosity = 0.0;         ///< of the liquid; 0: dry [Pa s]
+  double density = 0.0;           ///< of the beads [kg/m3]
+  double bead_diameter = 0.0;     ///< Sauter mean of the beads that grains stand for [m]
+  double diameter = 0.0;          ///< mean, of the grains [m]
+  double inertia_diameter = 0.0;  ///< root of mean cube over mean, of the grains [m]
+  double stiffness = 0.0;         ///< of a contact of two of them [N/m]
 };
 
 /// How a step drives a bed.
@@ -35,7 +36,11 @@ struct DriveOptions {
   std::optional<double>
       coupling_interval;                ///< longest time between exchanges [s]; none: by the rule
   std::optional<double> inertia_scale;  ///< none: as far as the rule goes
+  bool inertia_by_size = true;          ///< small beads are scaled more, else all alike
   SteppingOptions stepping{};           ///< at an inertia scale of 1
+  double longest_step_per_diameter =
+      0.0;                         ///< the least of all beads, at an inertia scale of 1 [s/m]
+  double smallest_diameter = 0.0;  ///< of a grain [m]
   GrainProperties grains{};
 };
 
@@ -55,6 +60,14 @@ dem::DraggedBed dragged_bed(const BedState& bed,
                             const GrainProperties& grains,
                             bool presses,
                             double flow_step);
+
+/// Scales the inertia of all beads together by `scale`, each by its size or all alike.
+void scale_inertia(const DriveOptions& options, double scale, dem::Dem& dem);
+
+/// A tenth of the shortest contact at an inertia scale [s]. Scaled by size, contacts of beads of diameter d last
+/// t sqrt(1 + (s - 1) (D / d + (D / d)^2) / 2); where t >= k d that is at least
+///   sqrt(t^2 + (s - 1) k^2 D (d + D) / 2)   with the smallest t, k and d.
+double longest_step(const DriveOptions& options, const dem::InertiaScale& inertia);
 
 /// Gives the beads the step for the next slice, at the inertia scale that they have.
 void choose_step(const DriveOptions& options, dem::Dem& dem);

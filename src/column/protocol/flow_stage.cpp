@@ -77,7 +77,7 @@ void FlowStage::follow_rules(dem::Dem& dem) {
     scale = dem::dragged_inertia_scale(dragged).scale;
     interval = std::min(interval, interval_of_consolidation * dem::consolidation_time(dragged));
   }
-  dem.set_inertia_scale(options_.inertia_scale.value_or(scale));
+  scale_inertia(options_, options_.inertia_scale.value_or(scale), dem);
   state_.inertia_scale = std::max(state_.inertia_scale, dem.options().inertia_scale);
   state_.interval = options_.coupling_interval.value_or(interval);
 }

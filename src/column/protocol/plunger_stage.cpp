@@ -103,7 +103,7 @@ void PlungerStage::choose_inertia(dem::Dem& dem) {
   if (!is_given) {
     const auto bed = bed_state(options_, dem);
     if (!bed) {
-      dem.set_inertia_scale(scale);
+      scale_inertia(options_, scale, dem);
       return;
     }
     // Where walls carry a part, the bed is strained less than at the plunger.
@@ -129,7 +129,7 @@ void PlungerStage::choose_inertia(dem::Dem& dem) {
   const double now = dem.options().inertia_scale;
   const bool changes =
       state_.slices == 0 || scale > change_of_scale * now || scale * change_of_scale < now;
-  if (changes) dem.set_inertia_scale(scale);
+  if (changes) scale_inertia(options_, scale, dem);
   state_.inertia_scale = std::max(state_.inertia_scale, dem.options().inertia_scale);
 }
 
