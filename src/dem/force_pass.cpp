@@ -117,7 +117,8 @@ void roll_contacts(Rolling rolling,
 }
 
 // Beads beyond the second-level cache are asked for ahead of time, and blocks of contacts further
-// ahead, since the places of the beads stand in them.
+// ahead, since the places of the beads stand in them. Not all at once: the queue to memory is short, and what
+// waits for a place in it holds up the rest.
 constexpr std::size_t beads_in_cache = 10'000;
 constexpr std::size_t bead_lead = 1;
 constexpr std::size_t block_lead = 4;
@@ -137,15 +138,19 @@ void add_forces(const Law& law,
       particles.size() > beads_in_cache ? std::max(contacts.blocks.size(), block_lead) - block_lead
                                         : 0;
   for (std::size_t b = first; b < last; ++b) {
-    if (b < ahead) {
-      prefetch_block(contacts.blocks[b + block_lead]);
-      prefetch_beads(contacts.blocks[b + bead_lead], particles);
-    }
+    const bool asks = b < ahead;
+    const auto& soon = contacts.blocks[asks ? b + bead_lead : b];
+    const auto& later = contacts.blocks[asks ? b + block_lead : b];
     auto& block = contacts.blocks[b];
     gather(block, particles, contacts.box(), w.relative);
+    if (asks) prefetch_records<0>(soon, particles.motion);
     find_normals(w);
+    if (asks) prefetch_records<0>(soon, particles.spin);
+    if (asks) prefetch_half(later, 0);
     press_contacts(law, dt, w, block);
+    if (asks) prefetch_half(later, 1);
     hold_contacts(mu, w, block);
+    if (asks) prefetch_records<1>(soon, particles.load);
     roll_contacts(rolling, dt, w, block);
     scatter(block, w.forces, particles);
   }

@@ -35,19 +35,19 @@ struct alignas(64) Forces {
   double torque_j[3][lanes];
 };
 
-/// Asks for the records of the beads of a block that comes soon.
-inline void prefetch_beads(const ContactBlock& block, const Particles& particles) {
-  for (const auto j : block.j) {
-    __builtin_prefetch(&particles.motion[static_cast<std::size_t>(j)]);
-    __builtin_prefetch(&particles.spin[static_cast<std::size_t>(j)]);
-    __builtin_prefetch(&particles.load[static_cast<std::size_t>(j)], 1);
-  }
+/// Asks for records of the beads of a block that comes soon.
+template <int writes, class Records>
+void prefetch_records(const ContactBlock& block, const Records& records) {
+  for (const auto j : block.j) __builtin_prefetch(&records[static_cast<std::size_t>(j)], writes);
 }
 
-/// Asks for a block that comes later.
-inline void prefetch_block(const ContactBlock& block) {
-  const char* line = reinterpret_cast<const char*>(&block);
-  for (std::size_t k = 0; k < sizeof(ContactBlock); k += 64) __builtin_prefetch(line + k, 1);
+/// Asks for one half, 0 or 1, of a block that comes later.
+inline void prefetch_half(const ContactBlock& block, std::size_t half) {
+  constexpr std::size_t line = 64;
+  constexpr std::size_t middle = sizeof(ContactBlock) / (2 * line) * line;
+  const char* start = reinterpret_cast<const char*>(&block);
+  const std::size_t end = half == 0 ? middle : sizeof(ContactBlock);
+  for (std::size_t k = half * middle; k < end; k += line) __builtin_prefetch(start + k, 1);
 }
 
 /// Four numbers in a register, or in two.

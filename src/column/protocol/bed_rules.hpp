@@ -13,9 +13,10 @@
 
 namespace packbed::column {
 
-/// The rule for the time between exchanges of beads and liquid: at most this, and shares of the time in which
-/// the bed consolidates and of a plateau.
-inline constexpr double longest_interval = 5e-3;  // [s]
+/// The rule for the time between exchanges of beads and liquid: at most this, in a flow and under the plunger, and
+/// shares of the time in which the bed consolidates and of a plateau.
+inline constexpr double longest_interval = 10e-3;            // [s]
+inline constexpr double longest_interval_of_plunger = 5e-3;  // [s]
 inline constexpr double interval_of_consolidation = 0.25;
 inline constexpr double interval_of_plateau = 0.05;
 

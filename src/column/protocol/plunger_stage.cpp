@@ -61,7 +61,7 @@ void PlungerStage::begin(dem::Dem& dem) {
     dem.set_weights([&](const auto& bead) { return weight_of(bead, options_.gravity, 0.0); });
   }
   state_.next_output = dem.time() + options_.interval;
-  state_.interval = options_.coupling_interval.value_or(longest_interval);
+  state_.interval = options_.coupling_interval.value_or(longest_interval_of_plunger);
   if (liquid_ != nullptr) {
     state_.flow = options_.flow.value_or(liquid_->flow());
     if (!dem.particles().in_liquid) liquid_->start(dem);
@@ -117,10 +117,10 @@ void PlungerStage::choose_inertia(dem::Dem& dem) {
     if (liquid_ != nullptr) {
       const bool presses = state_.force > share_that_is_loose * state_.force_at_start ||
                            (options_.speed > 0.0 && phase() != PlungerPhase::withdraw);
-      const auto dragged = dragged_bed(*bed, options_.grains, presses, longest_interval);
+      const auto dragged = dragged_bed(*bed, options_.grains, presses, longest_interval_of_plunger);
       by_rule = std::min(by_rule, dem::dragged_inertia_scale(dragged).scale);
       if (!options_.coupling_interval) {
-        state_.interval = std::min(longest_interval,
+        state_.interval = std::min(longest_interval_of_plunger,
                                    interval_of_consolidation * dem::consolidation_time(dragged));
       }
     }
