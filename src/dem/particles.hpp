@@ -17,7 +17,7 @@
 namespace packbed::dem {
 
 /// Factor on mass and moment of inertia of the beads that move, not on their weight or stiffness: `scale` for
-/// all; or, with a `diameter` D [m], 1 + (scale - 1) (D / d + (D / d)^2) / 2 for a bead of diameter d, so that
+/// all; or, above 1 and with a `diameter` D [m], 1 + (scale - 1) (D / d + (D / d)^2) / 2 for a bead of diameter d, so that
 /// the contacts of a small bead ask for no shorter a step than those of a large one. docs/theory/contact.md,
 /// section 6.
 struct InertiaScale {
@@ -25,7 +25,7 @@ struct InertiaScale {
   double diameter = 0.0;  ///< 0: all alike
 
   [[nodiscard]] double of(double d) const {
-    if (diameter <= 0.0) return scale;
+    if (diameter <= 0.0 || scale <= 1.0) return scale;
     const double ratio = diameter / d;
     return 1.0 + (scale - 1.0) * 0.5 * (ratio + ratio * ratio);
   }

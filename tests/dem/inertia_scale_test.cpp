@@ -30,7 +30,11 @@ TEST(InertiaScale, BySizeIsTheScaleItselfAtItsDiameterAndMoreForSmallerBeads) {
   EXPECT_EQ(by_size.of(1.0), 1.0 + 99.0 * 3.0);
   EXPECT_EQ(by_size.of(4.0), 1.0 + 99.0 * 0.375);
   const InertiaScale none{.scale = 1.0, .diameter = 2.0};
-  for (const double d : {0.01, 1.0, 3.0}) EXPECT_EQ(none.of(d), 1.0);
+  const InertiaScale lighter{.scale = 0.5, .diameter = 2.0};
+  for (const double d : {0.01, 1.0, 3.0}) {
+    EXPECT_EQ(none.of(d), 1.0);
+    EXPECT_EQ(lighter.of(d), 0.5);
+  }
 }
 
 // Drag rate 1.6e5 1/s, M = 3e5 Pa, rho 1140: the figures of the trial beds of coarse grains.
